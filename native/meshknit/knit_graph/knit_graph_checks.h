@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+
+#include "meshknit/core/problem.h"
+#include "meshknit/knit_graph/knit_graph.h"
+
+namespace meshknit {
+
+/// Indices in range, every node in exactly one row, closed rows of at least 3 nodes, lengths present and
+/// positive, columns in the documented order. The other checks require this one to find nothing.
+Problems check_graph_form(const KnitGraph& graph);
+
+/// One function a property of the paper (3.2, "Knit Graph Properties"). Each violation is one Problem
+/// with code "property-N-..." that names its nodes.
+Problems check_consistent_orientation(const KnitGraph& graph);  ///< Property 1
+Problems check_helix_free(const KnitGraph& graph);              ///< Property 2
+Problems check_node_degree(const KnitGraph& graph);             ///< Property 3
+Problems check_simple_short_rows(const KnitGraph& graph);       ///< Property 4
+Problems check_simple_splits(const KnitGraph& graph);           ///< Property 5
+Problems check_feasible_splits(const KnitGraph& graph);         ///< Property 6
+Problems check_time_aligned(const KnitGraph& graph);            ///< Property 7, warnings only
+
+/// Relative length errors |length - wanted| / wanted of one kind of edge (Property 8).
+struct LengthError {
+  int edges = 0;
+  double mean = 0.0;
+  double p95 = 0.0;
+  double within_10 = 0.0;  ///< fraction of edges within 10 %
+  double within_20 = 0.0;
+};
+
+/// What the report says of a graph.
+struct KnitGraphStats {
+  int nodes = 0, rows = 0, short_rows = 0, splits = 0, merges = 0;
+  LengthError row_error, column_error;
+};
+KnitGraphStats measure_graph(const KnitGraph& graph);
+
+/// Form and Properties 1-7 together. `violations[k]` counts the errors of Property k+1, k = 0..5.
+struct KnitGraphCheck {
+  Problems problems;
+  std::array<int, 6> violations{};
+};
+KnitGraphCheck check_knit_graph(const KnitGraph& graph);
+
+}  // namespace meshknit

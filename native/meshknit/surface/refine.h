@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "meshknit/surface/triangle_mesh.h"
+
+namespace meshknit {
+
+/// A finer mesh of the same shape, with a value per vertex interpolated linearly.
+struct RefinedMesh {
+  TriangleMesh mesh;
+  std::vector<double> value;
+  std::vector<int> source_face;  ///< face -> face of the mesh that was refined
+};
+
+/// Splits the longest edges first until none is longer than max_edge, and every inner edge between two boundary
+/// vertices. The first vertices are those of the input. Deterministic; the geometry is unchanged.
+RefinedMesh refine_mesh(const TriangleMesh& mesh, const std::vector<double>& value,
+                        double max_edge);
+
+}  // namespace meshknit

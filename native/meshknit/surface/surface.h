@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "meshknit/core/problem.h"
+#include "meshknit/surface/triangle_mesh.h"
+
+namespace meshknit {
+
+/// A boundary loop: mesh vertices in order, with the surface on their left.
+struct BoundaryLoop {
+  std::vector<int> vertices;
+  double length = 0.0;  ///< mm
+};
+
+/// A checked surface. If `problems` has no error the mesh is one connected, oriented, manifold surface with
+/// at least two boundaries, without zero-area faces. Problems name vertices and faces of the input arrays.
+struct Surface {
+  TriangleMesh mesh;
+  std::vector<int> source_vertex;     ///< mesh vertex -> row of the input's vertices (the first of doubled ones)
+  std::vector<int> vertex_of_source;  ///< row of the input's vertices -> mesh vertex, -1 if unused
+  std::vector<int> source_face;       ///< mesh face -> row of the input's faces
+  std::vector<BoundaryLoop> boundaries;  ///< ordered by their smallest source vertex, which comes first in each
+  int genus = 0;
+  int components = 0;
+  double area = 0.0;                  ///< mm^2
+  Problems problems;
+};
+
+struct SurfaceOptions {
+  double stitch_width = 3.66;      ///< l_r, mm: a boundary must hold a row
+  int fewest_stitches = 6;         ///< shortest row that a boundary may have
+};
+
+/// Arrays (mm) -> checked surface. Mends what can be mended without changing the shape (flipped islands, doubled vertices,
+/// repeated faces, unused vertices) and says so in notes. Bad geometry never throws: it is an error in `problems`,
+/// and then `mesh` may be empty.
+/// Throws: InvalidInput if a face names a vertex that is not there.
+Surface make_surface(const VertexArray& vertices, const FaceArray& faces,
+                     const SurfaceOptions& options = {});
+
+}  // namespace meshknit

@@ -1,0 +1,27 @@
+#pragma once
+
+// OpenMesh's mesh headers must come before its Eigen adapter.
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Geometry/EigenVectorT.hh>
+
+#include <Eigen/Core>
+
+namespace meshknit {
+
+struct TriangleMeshTraits : OpenMesh::DefaultTraits {
+  using Point = Eigen::Vector3d;
+  using Normal = Eigen::Vector3d;
+  VertexAttributes(OpenMesh::Attributes::None);
+  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
+  EdgeAttributes(OpenMesh::Attributes::None);
+  FaceAttributes(OpenMesh::Attributes::None);
+};
+
+/// The project's only mesh type: triangles, half edges, positions in mm. Faces run anticlockwise seen
+/// from outside, so normals point out.
+using TriangleMesh = OpenMesh::TriMesh_ArrayKernelT<TriangleMeshTraits>;
+
+using VertexArray = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+using FaceArray = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+}  // namespace meshknit
