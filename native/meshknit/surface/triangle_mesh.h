@@ -6,6 +6,10 @@
 
 #include <Eigen/Core>
 
+// Compiled once, in triangle_mesh.cpp: OpenMesh grows a property by a vector that Eigen leaves
+// unset, and the compiler would warn of it in every source that includes this header.
+extern template class OpenMesh::PropertyT<Eigen::Vector3d>;
+
 namespace meshknit {
 
 struct TriangleMeshTraits : OpenMesh::DefaultTraits {
