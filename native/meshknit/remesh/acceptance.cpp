@@ -30,7 +30,8 @@ std::vector<NodeRun> accept_by_time(const std::vector<double>& node_times, doubl
   const int n = static_cast<int>(node_times.size());
   std::vector<char> kept(n);
   for (int i = 0; i < n; ++i) kept[i] = node_times[i] <= active_time;
-  // First drop short runs, then close short gaps: a gap must have room for the turns on both of its sides.
+  // First drop short runs, then close short gaps: a gap must have room for the turns on both of
+  // its sides.
   for (const NodeRun& run : runs_of(kept, 1))
     if (run.size(n) < fewest) mark(kept, run, 0);
   for (const NodeRun& gap : runs_of(kept, 0))

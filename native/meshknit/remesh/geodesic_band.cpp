@@ -13,8 +13,8 @@ using HalfedgeHandle = TriangleMesh::HalfedgeHandle;
 constexpr double pi = 3.14159265358979323846;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Rays that miss a vertex by less than this fraction of an edge still measure it: the error is of second order, and
-// no vertex falls between two neighbouring windows.
+// Rays that miss a vertex by less than this fraction of an edge still measure it: the error is
+// of second order, and no vertex falls between two neighbouring windows.
 constexpr double graze = 0.01;
 
 // A vertex with more angle than this around it casts a shadow that straight rays do not reach.
@@ -23,7 +23,8 @@ constexpr double angle_excess = 0.01;
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vector2d left_of(const Vector2d& a) { return {-a.y(), a.x()}; }
 
-// Keeps the part of [begin, end] where the linear function with these values at 0 and 1 is not negative.
+// Keeps the part of [begin, end] where the linear function with these values at 0 and 1 is not
+// negative.
 bool clip(double at0, double at1, double& begin, double& end) {
   const double slope = at1 - at0;
   const double f_begin = at0 + begin * slope, f_end = at0 + end * slope;
@@ -109,11 +110,12 @@ void GeodesicBand::launch_piece(const Cycle& cycle, int piece) {
   const int next = (piece + 1) % cycle.size();
   const EdgeCrossing &here = cycle.crossings[piece], &there = cycle.crossings[next];
   const auto back = state_.mesh.opposite_halfedge_handle(HalfedgeHandle(here.halfedge));
-  const auto on = state_.mesh.next_halfedge_handle(back), last = state_.mesh.next_halfedge_handle(on);
+  const auto on = state_.mesh.next_halfedge_handle(back),
+             last = state_.mesh.next_halfedge_handle(on);
   const Vector2d w(0.0, 0.0), u(state_.length(back.idx()), 0.0), x = apex(back.idx());
   const Vector2d a = u + here.t * (w - u);
   const Vector2d b = there.halfedge == on.idx() ? Vector2d(u + there.t * (x - u))
-                                                 : Vector2d(x + there.t * (w - x));
+                                                : Vector2d(x + there.t * (w - x));
   const int open_end = state_.from(back.idx()), third = state_.to(on.idx());
   for (const auto& [vertex, place] : {std::pair<int, Vector2d>{open_end, w}, {third, x}}) {
     improve(vertex, (place - a).norm(), cycle.arc[piece]);
@@ -139,7 +141,8 @@ void GeodesicBand::launch_corner(const Cycle& cycle, int corner) {
   const HalfedgeHandle h(cycle.crossings[corner].halfedge);
   const auto back = state_.mesh.opposite_halfedge_handle(h);
   const double l = state_.length(h.idx());
-  // Both triangles of the edge, unfolded into the frame of h: the cycle comes from above and goes on below.
+  // Both triangles of the edge, unfolded into the frame of h: the cycle comes from above and
+  // goes on below.
   const Vector2d u(0.0, 0.0), w(l, 0.0), above = apex(h.idx());
   const Vector2d below_apex = apex(back.idx()), below(l - below_apex.x(), -below_apex.y());
   const auto place = [&](const EdgeCrossing& c, const Vector2d& third) {
@@ -198,18 +201,20 @@ void GeodesicBand::propagate(const Window& window) {
   emit(state_.mesh.next_halfedge_handle(next).idx(), c, {0.0, 0.0}, &bounds, source);
 }
 
-// Passes rays on through an edge of the triangle that they are in: `inner` is that triangle's half edge, from and to
-// its ends in the plane.
-void GeodesicBand::emit(int inner, const Vector2d& from, const Vector2d& to, const Bounds* bounds,
-                        const Source& source) {
+// Passes rays on through an edge of the triangle that they are in: `inner` is that triangle's
+// half edge, from and to its ends in the plane.
+void GeodesicBand::emit(int inner, const Vector2d& from, const Vector2d& to,
+                        const Bounds* bounds, const Source& source) {
   const HalfedgeHandle out = state_.mesh.opposite_halfedge_handle(HalfedgeHandle(inner));
   if (state_.mesh.is_boundary(out)) return;
   double begin, end;
   if (!open_range(inner, begin, end)) return;
   if (bounds) {
     const Bounds& b = *bounds;
-    if (!clip(-cross(b.low_ray, from - b.low), -cross(b.low_ray, to - b.low), begin, end)) return;
-    if (!clip(cross(b.high_ray, from - b.high), cross(b.high_ray, to - b.high), begin, end)) return;
+    if (!clip(-cross(b.low_ray, from - b.low), -cross(b.low_ray, to - b.low), begin, end))
+      return;
+    if (!clip(cross(b.high_ray, from - b.high), cross(b.high_ray, to - b.high), begin, end))
+      return;
   }
   const double l = state_.length(inner);
   const Vector2d ex = (from - to) / l, ey = left_of(ex);

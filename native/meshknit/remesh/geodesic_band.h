@@ -8,10 +8,10 @@
 
 namespace meshknit {
 
-/// Geodesic distance from a cycle over the open surface, out to a limit. Exact on the mesh up to
-/// rounding: straight rays are unfolded over the triangles from every piece of the cycle and from its corners, and again from
-/// vertices with more than a full turn round them (windows, after Mitchell, Mount and Papadimitriou 1987). Work is
-/// proportional to the band.
+/// Geodesic distance from a cycle over the open surface, out to a limit. Exact on the mesh up
+/// to rounding: straight rays are unfolded over the triangles from every piece of the cycle and
+/// from its corners, and again from vertices with more than a full turn round them (windows,
+/// after Mitchell, Mount and Papadimitriou 1987). Work is proportional to the band.
 class GeodesicBand {
  public:
   explicit GeodesicBand(const PeelState& state);
@@ -27,7 +27,8 @@ class GeodesicBand {
   double foot(int vertex) const { return foot_[vertex]; }
 
  private:
-  // Rays from a point, or parallel ones from a straight piece of the cycle, in a triangle's plane.
+  // Rays from a point, or parallel ones from a straight piece of the cycle, in a triangle's
+  // plane.
   struct Source {
     bool strip;
     Eigen::Vector2d point;  // the point, or any point of the piece
@@ -35,13 +36,15 @@ class GeodesicBand {
     double before;          // distance travelled before the source
     double foot;            // place of `point` on the cycle
   };
-  // Rays that enter the triangle of a half edge, which lies on the x axis from 0, between two places on it.
+  // Rays that enter the triangle of a half edge, which lies on the x axis from 0, between two
+  // places on it.
   struct Window {
     int halfedge;
     double begin, end;
     Source source;
   };
-  // Two half planes that bound rays: left of the ray through `low`, right of the one through `high`.
+  // Two half planes that bound rays: left of the ray through `low`, right of the one through
+  // `high`.
   struct Bounds {
     Eigen::Vector2d low, low_ray, high, high_ray;
   };
@@ -57,8 +60,8 @@ class GeodesicBand {
   void launch_corner(const Cycle& cycle, int corner);
   void launch_vertex(int vertex);
   void propagate(const Window& window);
-  void emit(int inner, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Bounds* bounds,
-            const Source& source);
+  void emit(int inner, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+            const Bounds* bounds, const Source& source);
   void improve(int vertex, double distance, double foot);
   void push(const Event& event);
   bool open_range(int halfedge, double& begin, double& end) const;

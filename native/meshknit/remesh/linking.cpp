@@ -11,15 +11,16 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Charges in units of one well-placed link. They spread shaping: two shaping moves side by side, or one above
-// another, make a weak spot. Small against the cost of leaning a link by half a stitch.
+// Charges in units of one well-placed link. They spread shaping: two shaping moves side by
+// side, or one above another, make a weak spot. Small against the cost of leaning a link by
+// half a stitch.
 constexpr double beside_shaping = 0.15;
 constexpr double above_shaping = 0.05;
 
 enum Move : unsigned char { one_to_one, one_to_two, two_to_one, none };
 
-// Dynamic programme over (active nodes used, next nodes used, last move) from a first pair on, within a band round the
-// expected pairing.
+// Dynamic programme over (active nodes used, next nodes used, last move) from a first pair on,
+// within a band round the expected pairing.
 class RowLinker {
  public:
   RowLinker(const LinkProblem& problem, int first_active, int first_next)
@@ -76,11 +77,17 @@ class RowLinker {
     for (int i = 0; i <= m_; ++i) {
       if (i > 0) {
         const double spacing = p_.next_length / n_;
-        const double there = i == m_ ? n_ : forward(p_.next[next_at(0)], p_.image[active_at(i)], p_.next_length) / spacing;
-        // An image may lie a little before the start, or jump where the cycle bends: keep near the even pairing.
+        const double there =
+            i == m_ ? n_
+                    : forward(p_.next[next_at(0)], p_.image[active_at(i)], p_.next_length) /
+                          spacing;
+        // An image may lie a little before the start, or jump where the cycle bends: keep near
+        // the even pairing.
         const double even = static_cast<double>(i) * n_ / m_;
-        if (std::abs(there - even) < 0.25 * n_) expected = std::max(expected, there);
-        else expected = std::max(expected, even);
+        if (std::abs(there - even) < 0.25 * n_)
+          expected = std::max(expected, there);
+        else
+          expected = std::max(expected, even);
       }
       const int centre = static_cast<int>(std::lround(expected));
       low_[i] = std::clamp(centre - half_width, 0, n_);
@@ -107,7 +114,8 @@ class RowLinker {
     if (i < m_ && j + 1 < n_ && !active_single(i) && !next_single(j) && !next_single(j + 1))
       reach(i, j, i + 1, j + 2, one_to_two, link(i, j) + link(i, j + 1) + stacked(i));
     if (i + 1 < m_ && j < n_ && !active_single(i) && !active_single(i + 1) && !next_single(j))
-      reach(i, j, i + 2, j + 1, two_to_one, link(i, j) + link(i + 1, j) + stacked(i) + stacked(i + 1));
+      reach(i, j, i + 2, j + 1, two_to_one,
+            link(i, j) + link(i + 1, j) + stacked(i) + stacked(i + 1));
   }
   double stacked(int i) const { return p_.active_shaped[active_at(i)] ? above_shaping : 0.0; }
 
@@ -145,7 +153,8 @@ double link_length(const LinkProblem& p, int active, int next) {
 
 std::array<int, 2> linkable_counts(const std::vector<char>& single) {
   const int m = static_cast<int>(single.size());
-  const int first = static_cast<int>(std::find(single.begin(), single.end(), 1) - single.begin());
+  const int first =
+      static_cast<int>(std::find(single.begin(), single.end(), 1) - single.begin());
   if (first == m) return {(m + 1) / 2, 2 * m};
   int least = 0, most = 0, run = 0;
   for (int k = 1; k <= m; ++k) {
@@ -173,7 +182,8 @@ std::vector<Link> link_rows(const LinkProblem& problem) {
       // Next nodes are evenly spread but may start anywhere.
       const double shift = problem.next[0] / problem.next_length * n;
       const int j = (static_cast<int>(std::floor(place - shift)) + step + 2 * n) % n;
-      const double off = std::abs(sideways(problem, i, j)) + (problem.active_single[i] ? -1e-6 : 0.0);
+      const double off =
+          std::abs(sideways(problem, i, j)) + (problem.active_single[i] ? -1e-6 : 0.0);
       if (off < best) {
         best = off;
         active = i;

@@ -12,13 +12,15 @@
 namespace meshknit {
 namespace {
 
-// Longest edge of the fine mesh, as a fraction of the smaller stitch dimension: rows bend no more sharply than that.
+// Longest edge of the fine mesh, as a fraction of the smaller stitch dimension: rows bend no
+// more sharply than that.
 constexpr double fine_edge = 0.5;
 
 // Shortest short row: three nodes are 2 l_r long.
 constexpr int fewest_in_short_row = 3;
 
-// How far beyond its last node a short row's end reaches, as a fraction of the way to the next node.
+// How far beyond its last node a short row's end reaches, as a fraction of the way to the next
+// node.
 constexpr double beyond_end = 0.1;
 
 std::vector<char> mark_boundary(const TriangleMesh& mesh, int vertex) {
@@ -32,7 +34,8 @@ std::vector<char> mark_boundary(const TriangleMesh& mesh, int vertex) {
   return marked;
 }
 
-// The cycle just inside a boundary: it crosses the edges that leave the boundary's vertices, very near to them.
+// The cycle just inside a boundary: it crosses the edges that leave the boundary's vertices,
+// very near to them.
 Cycle cycle_beside(PeelState& state, const std::vector<char>& boundary) {
   constexpr double at = 0.005;
   const auto knitted = [&](int v) { return boundary[v] != 0; };
@@ -143,7 +146,8 @@ void Peeling::peel_row() {
   for (const double place : row.place)
     row.time.push_back(next.cycle.value(next.cycle.at(place), next.time));
   if (!height.last)
-    row.runs = accept_by_time(row.time, latest_time(state_, active_.cycle), fewest_in_short_row);
+    row.runs =
+        accept_by_time(row.time, latest_time(state_, active_.cycle), fewest_in_short_row);
   keep_turns_apart(row, next, images);
 
   Cycle cycle = trimmer_->trim(*band_, active_.cycle, next.cycle, level, regions(next, row));
@@ -160,9 +164,8 @@ void Peeling::peel_row() {
   done_ = true;
   std::vector<int> order(graph_.columns.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return graph_.columns[a][0] < graph_.columns[b][0];
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return graph_.columns[a][0] < graph_.columns[b][0]; });
   const KnitGraph unsorted = graph_;
   for (std::size_t i = 0; i < order.size(); ++i) {
     graph_.columns[i] = unsorted.columns[order[i]];
@@ -195,8 +198,8 @@ void Peeling::link(const NextCycle& next, const std::vector<double>& images, Row
   row.links = link_rows(problem);
 }
 
-// Links the row. A short row must not end right above the end of another: the tucks of both turns would pile up on one
-// needle. Runs are shortened until none does.
+// Links the row. A short row must not end right above the end of another: the tucks of both
+// turns would pile up on one needle. Runs are shortened until none does.
 void Peeling::keep_turns_apart(Row& row, const NextCycle& next,
                                const std::vector<double>& images) const {
   const int count = static_cast<int>(row.place.size());
@@ -239,8 +242,7 @@ std::vector<TrimRegion> Peeling::regions(const NextCycle& next, const Row& row) 
     const double before = active_.nodes[(a + active_count - 1) % active_count].place;
     const double after = active_.nodes[(b + 1) % active_count].place;
     TrimRegion region;
-    region.begin_below =
-        before + beyond_end * forward(before, active_.nodes[a].place, length);
+    region.begin_below = before + beyond_end * forward(before, active_.nodes[a].place, length);
     region.begin_above = foot_at(row.place[run.first] - beyond_end * spacing);
     region.end_below = after - beyond_end * forward(active_.nodes[b].place, after, length);
     region.end_above = foot_at(row.place[run.last] + beyond_end * spacing);
@@ -249,7 +251,8 @@ std::vector<TrimRegion> Peeling::regions(const NextCycle& next, const Row& row) 
   return regions;
 }
 
-// Adds the accepted nodes of a row, their row edges and their columns. Returns graph nodes, -1 for discarded ones.
+// Adds the accepted nodes of a row, their row edges and their columns. Returns graph nodes, -1
+// for discarded ones.
 std::vector<int> Peeling::add_row(const NextCycle& next, const Row& row) {
   const int count = static_cast<int>(row.place.size());
   const double spacing = next.cycle.length() / count;
@@ -277,7 +280,8 @@ std::vector<int> Peeling::add_row(const NextCycle& next, const Row& row) {
     const double foot =
         a + p.along * around(a, next.foot[(p.piece + 1) % next.cycle.size()], length);
     graph_.columns.push_back({below.node, node_of[l[1]]});
-    graph_.column_lengths.push_back(std::hypot(next.cycle.value(p, next.gap), around(below.place, foot, length)));
+    graph_.column_lengths.push_back(
+        std::hypot(next.cycle.value(p, next.gap), around(below.place, foot, length)));
   }
   return node_of;
 }

@@ -18,7 +18,8 @@ void require_one_tube(const Surface& surface) {
   problem.message = "This surface has " + std::to_string(surface.boundaries.size()) +
                     " boundaries and " + std::to_string(surface.genus) +
                     " handles; one tube with two boundaries can be knit so far.";
-  problem.remedy = "Close or cut away all boundaries but the two where knitting starts and ends.";
+  problem.remedy =
+      "Close or cut away all boundaries but the two where knitting starts and ends.";
   for (std::size_t i = 0; i < surface.boundaries.size(); ++i)
     problem.elements.boundaries.push_back(static_cast<int>(i));
   throw NotKnittable({problem});

@@ -7,12 +7,13 @@
 
 namespace meshknit {
 
-/// Chooses how far the next cycle lies from the active one. Far from the end that is 2 l_c; over the last rows
-/// the remaining distance is shared out evenly, so that the last row, which is the boundary itself, is no higher
-/// or lower than the others.
+/// Chooses how far the next cycle lies from the active one. Far from the end that is 2 l_c;
+/// over the last rows the remaining distance is shared out evenly, so that the last row, which
+/// is the boundary itself, is no higher or lower than the others.
 class RowHeights {
  public:
-  /// `to_end`: distance of vertices to the boundary where knitting ends, infinite where it is far.
+  /// `to_end`: distance of vertices to the boundary where knitting ends, infinite where it is
+  /// far.
   RowHeights(std::vector<double> to_end, double row_height)
       : to_end_(std::move(to_end)), row_height_(row_height) {}
 

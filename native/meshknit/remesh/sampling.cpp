@@ -25,7 +25,8 @@ std::vector<double> images_on_next(const ActiveCycle& active, const NextCycle& n
   for (int i = 0; i < n; ++i) {
     const double a = next.foot[i], span = around(a, next.foot[(i + 1) % n], length);
     const double step = next.cycle.arc[i + 1] - next.cycle.arc[i];
-    const auto first = std::lower_bound(by_place.begin(), by_place.end(), std::make_pair(a, -1));
+    const auto first =
+        std::lower_bound(by_place.begin(), by_place.end(), std::make_pair(a, -1));
     const int begin = static_cast<int>(first - by_place.begin());
     for (int k = 0; k < nodes; ++k) {
       const auto& [place, node] = by_place[(begin + k) % nodes];
@@ -47,8 +48,8 @@ std::vector<double> sample_next_row(const ActiveCycle& active, const NextCycle& 
   for (const ActiveNode& node : active.nodes) single.push_back(node.single);
   const auto [fewest, most] = linkable_counts(single);
   const double length = next.cycle.length();
-  const int count =
-      std::clamp(static_cast<int>(std::lround(length / stitch_width)), std::max(3, fewest), most);
+  const int count = std::clamp(static_cast<int>(std::lround(length / stitch_width)),
+                               std::max(3, fewest), most);
   const double spacing = length / count;
   double x = 0.0, y = 0.0;
   for (const double image : images) {

@@ -54,8 +54,8 @@ std::vector<NextCycle> Slicer::slice(const GeodesicBand& band, const Cycle& acti
       const bool foot_at_w = std::isfinite(band.distance(w));
       const double foot_u = from_active ? band.foot(w) : band.foot(u);
       const double foot_w = foot_at_w ? band.foot(w) : foot_u;
-      next.foot.push_back(
-          forward(0.0, foot_u + part * around(foot_u, foot_w, active.length()), active.length()));
+      next.foot.push_back(forward(0.0, foot_u + part * around(foot_u, foot_w, active.length()),
+                                  active.length()));
     }
     measure_cycle(state_, next.cycle);
     cycles.push_back(std::move(next));

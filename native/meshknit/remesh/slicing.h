@@ -7,23 +7,25 @@
 
 namespace meshknit {
 
-/// A candidate for the next row: a level set of the distance from the active cycle (paper, 3.2.2), with what is known at its
-/// crossings.
+/// A candidate for the next row: a level set of the distance from the active cycle
+/// (paper, 3.2.2), with what is known at its crossings.
 struct NextCycle {
   Cycle cycle;
   std::vector<double> time;  ///< knitting time
   std::vector<double> foot;  ///< nearest place on the active cycle
-  std::vector<double> gap;   ///< distance from the active cycle, mm: the level, but at the last boundary
+  std::vector<double>
+      gap;  ///< distance from the active cycle, mm: the level, but at the last boundary
 };
 
 /// Finds level sets in a band. Keeps scratch memory between rows.
 class Slicer {
  public:
-  /// `last` marks vertices that stay open to the end: those of the boundaries where knitting ends.
+  /// `last` marks vertices that stay open to the end: those of the boundaries where knitting
+  /// ends.
   Slicer(const PeelState& state, const std::vector<char>& last);
 
-  /// All components of the level set at `level` mm that lie in the measured band, largest first.
-  /// Requires: band.measure(active, limit) with a limit of at least the level.
+  /// All components of the level set at `level` mm that lie in the measured band, largest
+  /// first. Requires: band.measure(active, limit) with a limit of at least the level.
   std::vector<NextCycle> slice(const GeodesicBand& band, const Cycle& active, double level);
 
  private:

@@ -60,7 +60,8 @@ Cycle Trimmer::trim(const GeodesicBand& band, const Cycle& active, const Cycle& 
         if (state_.knitted[w] || !std::isfinite(band.distance(w))) continue;
         const double d_u = depth(u), d_w = depth(w);
         if (d_w >= 0.0) continue;
-        const double wall = std::clamp(d_u / (d_u - d_w), clear_of_vertices, 1.0 - clear_of_vertices);
+        const double wall =
+            std::clamp(d_u / (d_u - d_w), clear_of_vertices, 1.0 - clear_of_vertices);
         const bool beyond = last_[w] || band.distance(w) >= level;
         double& t = state_.crossing[h.idx() >> 1];
         t = beyond ? std::min(t, wall) : wall;
@@ -70,25 +71,27 @@ Cycle Trimmer::trim(const GeodesicBand& band, const Cycle& active, const Cycle& 
   for (int attempt = 0;; ++attempt) {
     std::vector<Cycle> cycles = walk(front_edges(active, knitted_now));
     if (cycles.empty()) throw BrokenPromise("trimming lost the active cycle");
-    const auto longest =
-        std::max_element(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
-          return a.length() < b.length();
-        });
+    const auto longest = std::max_element(
+        cycles.begin(), cycles.end(),
+        [](const Cycle& a, const Cycle& b) { return a.length() < b.length(); });
     if (cycles.size() == 1) return std::move(*longest);
     bool mended = attempt < 10;
     for (auto island = cycles.begin(); mended && island != cycles.end(); ++island)
-      if (island != longest) mended = close_pocket(*island) || reopen_island(*island, knitted_now);
+      if (island != longest)
+        mended = close_pocket(*island) || reopen_island(*island, knitted_now);
     if (!mended)
-      throw NotKnittable({{"splits-here",
-                           Severity::error,
-                           "Knitting would split here: the rows meet round a part of the surface that "
-                           "stands out too far to be reached row by row.",
-                           "Place time constraints so that the rows pass over this part, or smooth it.",
-                           {}}});
+      throw NotKnittable(
+          {{"splits-here",
+            Severity::error,
+            "Knitting would split here: the rows meet round a part of the surface that "
+            "stands out too far to be reached row by row.",
+            "Place time constraints so that the rows pass over this part, or smooth it.",
+            {}}});
   }
 }
 
-std::vector<int> Trimmer::front_edges(const Cycle& active, const std::vector<int>& knitted_now) {
+std::vector<int> Trimmer::front_edges(const Cycle& active,
+                                      const std::vector<int>& knitted_now) {
   std::vector<int> crossed;
   for (const EdgeCrossing& c : active.crossings)
     if (!state_.knitted[state_.to(c.halfedge)] && state_.knitted[state_.from(c.halfedge)])
@@ -119,7 +122,8 @@ std::vector<Cycle> Trimmer::walk(const std::vector<int>& crossed) {
   return cycles;
 }
 
-// Knits over the open vertices inside an island, if they are few and none is at the last boundary.
+// Knits over the open vertices inside an island, if they are few and none is at the last
+// boundary.
 bool Trimmer::close_pocket(const Cycle& island) {
   std::vector<int> pocket{state_.to(island.crossings.front().halfedge)};
   if (state_.knitted[pocket[0]]) return true;  // closed already

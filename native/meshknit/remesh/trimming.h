@@ -7,22 +7,22 @@
 
 namespace meshknit {
 
-/// The part of a band that an accepted row covers: between two walls that lead from the active cycle (distance 0) up to the
-/// next cycle. All four are places along the active cycle.
+/// The part of a band that an accepted row covers: between two walls that lead from the active
+/// cycle (distance 0) up to the next cycle. All four are places along the active cycle.
 struct TrimRegion {
   double begin_below, begin_above;
   double end_below, end_above;
 };
 
-/// Marks the surface between the active cycle and an accepted row as knitted, and finds the new active cycle
-/// (paper, 3.2.4) by labels: the mesh is not cut.
+/// Marks the surface between the active cycle and an accepted row as knitted, and finds the new
+/// active cycle (paper, 3.2.4) by labels: the mesh is not cut.
 class Trimmer {
  public:
   Trimmer(PeelState& state, const std::vector<char>& last);
 
-  /// `regions` empty: the whole band up to `level`, whose level set is `next`. Pockets that a row closes off are knitted over if
-  /// they are smaller than a few stitches.
-  /// Throws: NotKnittable "splits-here" if what is left open falls apart.
+  /// `regions` empty: the whole band up to `level`, whose level set is `next`. Pockets that a
+  /// row closes off are knitted over if they are smaller than a few stitches. Throws:
+  /// NotKnittable "splits-here" if what is left open falls apart.
   Cycle trim(const GeodesicBand& band, const Cycle& active, const Cycle& next, double level,
              const std::vector<TrimRegion>& regions);
 

@@ -13,8 +13,9 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double ring_spacing = 5.0;  // mm along the centre line
 constexpr int ring_points = 40;
 
-// A ring of a tube: its centre in the xz plane, the direction of travel as an angle from -z towards +x,
-// and the radii in and across that plane. `heel` pushes the outer side of a bend further out.
+// A ring of a tube: its centre in the xz plane, the direction of travel as an angle from -z
+// towards +x, and the radii in and across that plane. `heel` pushes the outer side of a bend
+// further out.
 struct Ring {
   double x = 0.0, z = 0.0, heading = 0.0;
   double radius_in_plane = 0.0, radius_across = 0.0;
@@ -93,7 +94,8 @@ ExampleShape straight_stub(double start_radius, double end_radius, double height
   }
   ExampleShape shape = skin_rings(rings);
   // The centre line runs down; turn the shape (not mirror it) so that it stands on its start.
-  for (auto* point : {&shape.start, &shape.end}) *point = Eigen::Vector3d(-point->x(), point->y(), -point->z());
+  for (auto* point : {&shape.start, &shape.end})
+    *point = Eigen::Vector3d(-point->x(), point->y(), -point->z());
   shape.vertices.col(0) *= -1.0;
   shape.vertices.col(2) *= -1.0;
   return shape;
@@ -122,8 +124,10 @@ ExampleShape bent_tube(double degrees, double radius, double leg) {
 }
 
 ExampleShape sock() {
-  // Millimetres along the centre line: cuff, ankle, heel (a bend of 95 degrees), instep, ball, toe.
-  constexpr double ankle = 95.0, heel_begin = 115.0, heel_end = 185.0, ball = 270.0, toe = 330.0;
+  // Millimetres along the centre line: cuff, ankle, heel (a bend of 95 degrees), instep, ball,
+  // toe.
+  constexpr double ankle = 95.0, heel_begin = 115.0, heel_end = 185.0, ball = 270.0,
+                   toe = 330.0;
   constexpr double turn = 95.0 * pi / 180.0;
   // The curvature rises and falls smoothly over the heel and integrates to the turn.
   const auto bend = [&](double s) {

@@ -8,8 +8,8 @@
 
 namespace meshknit {
 
-/// A shape to learn and to test with: arrays in mm, faces anticlockwise seen from outside, and a point near
-/// the boundary where knitting starts and near the one where it ends.
+/// A shape to learn and to test with: arrays in mm, faces anticlockwise seen from outside, and
+/// a point near the boundary where knitting starts and near the one where it ends.
 struct ExampleShape {
   VertexArray vertices;
   FaceArray faces;
@@ -26,8 +26,8 @@ ExampleShape cone(double start_radius = 45.0, double end_radius = 20.0, double h
 /// Two straight legs joined by a circular bend, in the xz plane. Requires: 0 <= degrees <= 150.
 ExampleShape bent_tube(double degrees = 90.0, double radius = 25.0, double leg = 50.0);
 
-/// A sock, cuff (start) up, toe (end, a small opening) along x: the leg narrows to the ankle, the heel is
-/// wider and bends, the foot narrows to the toe.
+/// A sock, cuff (start) up, toe (end, a small opening) along x: the leg narrows to the ankle,
+/// the heel is wider and bends, the foot narrows to the toe.
 ExampleShape sock();
 
 /// Names that example_shape() knows, and the shape of a name with its default sizes.
