@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "meshknit/core/error.h"
+#include "meshknit/remesh/finish_graph.h"
 #include "meshknit/remesh/sampling.h"
 #include "meshknit/surface/refine.h"
 
@@ -63,6 +63,15 @@ double latest_time(const PeelState& state, const Cycle& cycle) {
     latest = std::max(latest, u + c.t * (w - u));
   }
   return latest;
+}
+
+// The triangle that a cycle's piece after this crossing lies in: the one right of the half
+// edge.
+int face_of_piece(const TriangleMesh& mesh, const EdgeCrossing& crossing) {
+  return mesh
+      .face_handle(
+          mesh.opposite_halfedge_handle(TriangleMesh::HalfedgeHandle(crossing.halfedge)))
+      .idx();
 }
 
 int partner_of(const std::vector<Link>& links, int next) {
@@ -162,15 +171,7 @@ void Peeling::peel_row() {
   if (!height.last) return;
 
   done_ = true;
-  std::vector<int> order(graph_.columns.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return graph_.columns[a][0] < graph_.columns[b][0]; });
-  const KnitGraph unsorted = graph_;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    graph_.columns[i] = unsorted.columns[order[i]];
-    graph_.column_lengths[i] = unsorted.column_lengths[order[i]];
-  }
+  finish_graph(state_.mesh, face_of_node_, graph_);
 }
 
 void Peeling::link(const NextCycle& next, const std::vector<double>& images, Row& row) const {
@@ -255,7 +256,6 @@ std::vector<TrimRegion> Peeling::regions(const NextCycle& next, const Row& row) 
 // for discarded ones.
 std::vector<int> Peeling::add_row(const NextCycle& next, const Row& row) {
   const int count = static_cast<int>(row.place.size());
-  const double spacing = next.cycle.length() / count;
   std::vector<int> node_of(count, -1);
   const auto add = [&](const NodeRun& run, bool closed) {
     KnitRow added;
@@ -264,25 +264,17 @@ std::vector<int> Peeling::add_row(const NextCycle& next, const Row& row) {
     for (int k = 0; k < size; ++k) {
       const int j = (run.first + k) % count;
       node_of[j] = static_cast<int>(graph_.nodes.size());
-      graph_.nodes.push_back({next.cycle.position(next.cycle.at(row.place[j])), row.time[j]});
+      const CyclePoint p = next.cycle.at(row.place[j]);
+      graph_.nodes.push_back({next.cycle.position(p), row.time[j]});
+      face_of_node_.push_back(face_of_piece(state_.mesh, next.cycle.crossings[p.piece]));
       added.nodes.push_back(node_of[j]);
     }
-    graph_.row_lengths.emplace_back(closed ? size : size - 1, spacing);
     graph_.rows.push_back(std::move(added));
   };
   if (row.runs.empty()) add({0, count - 1}, true);
   for (const NodeRun& run : row.runs) add(run, false);
-  for (const Link& l : row.links) {
-    if (node_of[l[1]] < 0) continue;
-    const ActiveNode& below = active_.nodes[l[0]];
-    const CyclePoint p = next.cycle.at(row.place[l[1]]);
-    const double a = next.foot[p.piece], length = active_.cycle.length();
-    const double foot =
-        a + p.along * around(a, next.foot[(p.piece + 1) % next.cycle.size()], length);
-    graph_.columns.push_back({below.node, node_of[l[1]]});
-    graph_.column_lengths.push_back(
-        std::hypot(next.cycle.value(p, next.gap), around(below.place, foot, length)));
-  }
+  for (const Link& l : row.links)
+    if (node_of[l[1]] >= 0) graph_.columns.push_back({active_.nodes[l[0]].node, node_of[l[1]]});
   return node_of;
 }
 

@@ -57,6 +57,7 @@ class Peeling {
   std::unique_ptr<RowHeights> heights_;
   ActiveCycle active_;
   KnitGraph graph_;
+  std::vector<int> face_of_node_;
   int knitted_ = 0;
   bool done_ = false;
 };

@@ -124,35 +124,30 @@ ExampleShape bent_tube(double degrees, double radius, double leg) {
 }
 
 ExampleShape sock() {
-  // Millimetres along the centre line: cuff, ankle, heel (a bend of 95 degrees), instep, ball,
-  // toe.
-  constexpr double ankle = 95.0, heel_begin = 115.0, heel_end = 185.0, ball = 270.0,
-                   toe = 330.0;
-  constexpr double turn = 95.0 * pi / 180.0;
-  // The curvature rises and falls smoothly over the heel and integrates to the turn.
+  // Millimetres along the centre line: cuff, ankle, heel (a bend of 100 degrees), instep, ball, toe.
+  constexpr double ankle = 85.0, heel_begin = 100.0, heel_end = 205.0, ball = 275.0, toe = 330.0;
+  constexpr double turn = 100.0 * pi / 180.0;
+  // The curvature rises and falls smoothly over the heel and integrates to the turn. Its radius stays larger than
+  // the sock's, so that the instep does not fold.
   const auto bend = [&](double s) {
     if (s <= heel_begin || s >= heel_end) return 0.0;
     const double u = (s - heel_begin) / (heel_end - heel_begin);
-    return turn / (heel_end - heel_begin) * (1.0 - std::cos(2.0 * pi * u));
+    return 0.5 * pi * turn / (heel_end - heel_begin) * std::sin(pi * u);
   };
   std::vector<Ring> rings = centre_line(toe, bend);
   for (std::size_t i = 0; i < rings.size(); ++i) {
     Ring& ring = rings[i];
     const double s = toe * static_cast<double>(i) / static_cast<double>(rings.size() - 1);
-    double radius = s < ankle ? blend(38.0, 30.0, s / ankle) : 30.0;
-    if (s > ankle) radius = blend(30.0, 32.0, (s - ankle) / (heel_begin - ankle));
-    if (s > heel_end) radius = blend(32.0, 30.0, (s - heel_end) / (ball - heel_end));
-    double flat = 1.0;
-    if (s > ball) {
-      const double u = (s - ball) / (toe - ball);
-      radius = blend(30.0, 13.0, u);
-    }
-    if (s > heel_end) flat = blend(1.0, 0.82, (s - heel_end) / (ball - heel_end));
+    double radius = blend(37.0, 29.0, s / ankle);
+    if (s > ankle) radius = blend(29.0, 31.0, (s - ankle) / (heel_begin - ankle));
+    if (s > heel_end) radius = blend(31.0, 29.0, (s - heel_end) / (ball - heel_end));
+    if (s > ball) radius = blend(29.0, 13.0, (s - ball) / (toe - ball));
+    // The foot is wider than high.
+    const double flat = s > heel_end ? blend(1.0, 0.8, (s - heel_end) / (ball - heel_end)) : 1.0;
     ring.radius_across = radius / std::sqrt(flat);
     ring.radius_in_plane = radius * std::sqrt(flat);
-    const double heel_at = 0.5 * (heel_begin + heel_end);
-    const double off = (s - heel_at) / 38.0;
-    ring.heel = 13.0 * std::exp(-off * off);
+    const double from_heel = (s - 0.5 * (heel_begin + heel_end)) / 34.0;
+    ring.heel = 14.0 * std::exp(-from_heel * from_heel);
   }
   return skin_rings(rings);
 }
