@@ -26,21 +26,6 @@ int add_vertex(MeshArrays& arrays, double x, double y, double z) {
   return static_cast<int>(arrays.vertices.rows()) - 1;
 }
 
-// A closed ring of quads whose cross-section is a polygon of `sides` points.
-MeshArrays torus(int around = 24, int sides = 12) {
-  TubeShape shape;
-  shape.around = around;
-  shape.along = sides;
-  MeshArrays arrays = tube(shape);
-  for (Eigen::Index v = 0; v < arrays.vertices.rows(); ++v) {
-    const double a = 6.283185307179586 * static_cast<double>(v % around) / around;
-    const double b = 6.283185307179586 * static_cast<double>(v / around) / sides;
-    const double radius = 60.0 + 20.0 * std::cos(b);
-    arrays.vertices.row(v) << radius * std::cos(a), radius * std::sin(a), 20.0 * std::sin(b);
-  }
-  return arrays;  // its two rims lie on each other, but are not joined
-}
-
 TEST(MakeSurface, ATubeHasTwoOpeningsAndNoProblem) {
   const Surface surface = surface_of(tube());
   EXPECT_TRUE(surface.problems.empty());
@@ -66,16 +51,8 @@ TEST(MakeSurface, BoundariesRunWithTheSurfaceOnTheirLeft) {
 }
 
 TEST(MakeSurface, TorusWithTwoHolesHasOneHandle) {
-  MeshArrays closed = torus();
-  const int rim = 12 * 24;  // close the torus: the last ring is the first one
-  for (Eigen::Index i = 0; i < closed.faces.size(); ++i)
-    if (closed.faces.data()[i] >= rim) closed.faces.data()[i] -= rim;
-  MeshArrays open = closed;
-  open.faces.resize(closed.faces.rows() - 20, 3);
-  // Leaves out the quads 0-4 and 200-204 of the 288, each two faces.
-  Eigen::Index kept = 0;
-  for (Eigen::Index f = 0; f < closed.faces.rows(); ++f)
-    if (!(f < 10 || (f >= 400 && f < 410))) open.faces.row(kept++) = closed.faces.row(f);
+  const MeshArrays closed = closed_torus();
+  const MeshArrays open = without_quads(closed, {0, 1, 2, 3, 4, 200, 201, 202, 203, 204});
   const Surface surface = surface_of(open);
   EXPECT_FALSE(has_errors(surface.problems));
   EXPECT_EQ(surface.boundaries.size(), 2u);
@@ -87,7 +64,7 @@ TEST(MakeSurface, TorusWithTwoHolesHasOneHandle) {
 }
 
 TEST(MakeSurface, ATorusCutOpenIsKnitFromCutToCut) {
-  const Surface surface = surface_of(torus());
+  const Surface surface = surface_of(cut_torus());
   EXPECT_TRUE(surface.problems.empty()) << surface.problems.front().message;
   EXPECT_EQ(surface.boundaries.size(), 2u);
   EXPECT_EQ(surface.genus, 0);
