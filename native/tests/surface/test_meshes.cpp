@@ -1,5 +1,6 @@
 #include "surface/test_meshes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace meshknit {
@@ -47,6 +48,36 @@ MeshArrays tube(const TubeShape& shape) {
       faces.push_back({a, b + shape.around, a + shape.around});
     }
   return to_arrays(vertices, faces);
+}
+
+MeshArrays cut_torus() {
+  TubeShape shape;
+  MeshArrays arrays = tube(shape);
+  for (Eigen::Index v = 0; v < arrays.vertices.rows(); ++v) {
+    const double a = kTurn * static_cast<double>(v % shape.around) / shape.around;
+    const double b = kTurn * static_cast<double>(v / shape.around) / shape.along;
+    const double radius = 60.0 + 20.0 * std::cos(b);
+    arrays.vertices.row(v) << radius * std::cos(a), radius * std::sin(a), 20.0 * std::sin(b);
+  }
+  return arrays;
+}
+
+MeshArrays closed_torus() {
+  MeshArrays arrays = cut_torus();
+  const int rim = static_cast<int>(arrays.vertices.rows()) - TubeShape().around;
+  for (Eigen::Index i = 0; i < arrays.faces.size(); ++i)
+    if (arrays.faces.data()[i] >= rim) arrays.faces.data()[i] -= rim;
+  return arrays;
+}
+
+MeshArrays without_quads(const MeshArrays& arrays, const std::vector<int>& quads) {
+  MeshArrays result{arrays.vertices, arrays.faces};
+  Eigen::Index kept = 0;
+  for (Eigen::Index f = 0; f < arrays.faces.rows(); ++f)
+    if (std::find(quads.begin(), quads.end(), static_cast<int>(f / 2)) == quads.end())
+      result.faces.row(kept++) = arrays.faces.row(f);
+  result.faces.conservativeResize(kept, 3);
+  return result;
 }
 
 MeshArrays grid(int w, int h, double cell, const std::function<bool(int, int)>& hole) {

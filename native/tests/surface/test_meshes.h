@@ -37,6 +37,15 @@ struct TubeShape {
 };
 MeshArrays tube(const TubeShape& shape = {});
 
+/// A ring-shaped tube (genus 1): 24 x 12 quads, quad q is faces 2 q and 2 q + 1.
+MeshArrays closed_torus();
+
+/// The same cut open along one cross-section: two rims that lie on each other.
+MeshArrays cut_torus();
+
+/// Leaves out some quads of a shape that is made of pairs of triangles.
+MeshArrays without_quads(const MeshArrays& arrays, const std::vector<int>& quads);
+
 /// A w x h grid of squares of side `cell` in the plane z = 0 (normals +z), without the squares
 /// for which `hole(column, row)` holds. Its vertex (column, row) is row * (w + 1) + column.
 MeshArrays grid(int w, int h, double cell, const std::function<bool(int, int)>& hole);
