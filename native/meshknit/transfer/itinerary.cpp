@@ -27,6 +27,7 @@ class Walk {
       if (!here.parked && (ending_ == Ending::any_hook || home)) found.push_back(way_);
       return;
     }
+    if (ending_ == Ending::goal && too_late(here, static_cast<int>(passes_.size() - k))) return;
     way_.stops[k + 1] = here;
     step(k + 1);
     if (here.bed() != passes_[k].from) return;
@@ -43,6 +44,14 @@ class Walk {
     ++way_.transfers;
     step(k + 1);
     --way_.transfers;
+  }
+
+  // A stack needs a pass for each end to go round and one to come back from parking; from a
+  // wrong hook on its own side it needs two.
+  bool too_late(const Stop& here, int passes_left) const {
+    const int ends = std::abs(stack_.goal_side - here.side);
+    if (here.parked) return ends + 1 > passes_left;
+    return ends > 0 ? ends > passes_left : here.place != stack_.goal && passes_left < 2;
   }
 
   const Stack& stack_;

@@ -15,20 +15,22 @@ std::optional<Assignment> PassAssigner::to_goals(const Passes& passes) {
   });
 }
 
-bool PassAssigner::list_ways(const Passes& passes, Ending ending) {
-  ways_.resize(blocks_.size());
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    ways_[b] = itineraries(tube_, blocks_[b], passes, ending);
-    if (ways_[b].empty()) return false;
+const PassAssigner::Ways& PassAssigner::ways_of(std::size_t block, const Passes& passes,
+                                                Ending ending) {
+  if (!has_ways_[block]) {
+    ways_[block] = itineraries(tube_, blocks_[block], passes, ending);
+    has_ways_[block] = true;
   }
-  return true;
+  return ways_[block];
 }
 
-bool PassAssigner::list_allowed(const Passes& passes) {
+bool PassAssigner::list_allowed(const Passes& passes, Ending ending) {
   allowed_.resize(blocks_.size());
-  if (!list_allowed_after(last_refusal_, passes)) return false;
+  ways_.resize(blocks_.size());
+  has_ways_.assign(blocks_.size(), false);
+  if (!list_allowed_after(last_refusal_, passes, ending)) return false;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (b == last_refusal_ || list_allowed_after(b, passes)) continue;
+    if (b == last_refusal_ || list_allowed_after(b, passes, ending)) continue;
     last_refusal_ = b;
     return false;
   }
@@ -37,18 +39,20 @@ bool PassAssigner::list_allowed(const Passes& passes) {
 
 // Fills the table of the pair (last stack of a block, first stack of the next); false if
 // nothing goes.
-bool PassAssigner::list_allowed_after(std::size_t block, const Passes& passes) {
+bool PassAssigner::list_allowed_after(std::size_t block, const Passes& passes, Ending ending) {
   const std::size_t next = block + 1 == blocks_.size() ? 0 : block + 1;
   const Stack& a = tube_.stacks[blocks_[block].last];
   const Stack& b = tube_.stacks[blocks_[next].first];
   const int turn = next == 0 ? 2 : 0;
   const int reach = a.place - tube_.stacks[blocks_[block].first].place;
+  const Ways& ways_a = ways_of(block, passes, ending);
+  const Ways& ways_b = ways_of(next, passes, ending);
   Allowed& allowed = allowed_[block];
   allowed.clear();
   bool any = false;
-  for (const Itinerary& way : ways_[block]) {
+  for (const Itinerary& way : ways_a) {
     const Itinerary way_a = beside(way, reach);
-    for (const Itinerary& way_b : ways_[next]) {
+    for (const Itinerary& way_b : ways_b) {
       const bool good = compatible(a, way_a, b, way_b, turn, passes);
       any = any || good;
       allowed.push_back(good);

@@ -50,21 +50,22 @@ class PassAssigner {
 
   template <class Cost>
   std::optional<Assignment> assign(const Passes& passes, Ending ending, Cost cost) {
-    if (!list_ways(passes, ending) || !list_allowed(passes)) return std::nullopt;
+    if (!list_allowed(passes, ending)) return std::nullopt;
     std::vector<std::vector<long>> costs(blocks_.size());
     for (std::size_t b = 0; b < blocks_.size(); ++b)
       for (const Itinerary& way : ways_[b]) costs[b].push_back(cost(blocks_[b], way));
     return cheapest_round(costs);
   }
 
-  bool list_ways(const Passes& passes, Ending ending);
-  bool list_allowed(const Passes& passes);
-  bool list_allowed_after(std::size_t block, const Passes& passes);
+  bool list_allowed(const Passes& passes, Ending ending);
+  bool list_allowed_after(std::size_t block, const Passes& passes, Ending ending);
+  const Ways& ways_of(std::size_t block, const Passes& passes, Ending ending);
   std::optional<Assignment> cheapest_round(const std::vector<std::vector<long>>& costs) const;
 
   const Tube& tube_;
   std::vector<Block> blocks_;
-  std::vector<Ways> ways_;
+  std::vector<Ways> ways_;  // filled when first asked for; the first pair may refuse already
+  std::vector<char> has_ways_;
   std::vector<Allowed> allowed_;  // from each block to the next
   std::size_t last_refusal_ = 0;  // the block whose pair refused last: it is asked first
 };

@@ -17,10 +17,13 @@ std::optional<PassPlan> first_that_works(PassAssigner& assigner,
 
 std::optional<PassPlan> search_passes(const Tube& tube) {
   PassAssigner assigner(tube);
+  bool all = true;
   for (int length = 1; length <= most_passes; ++length) {
-    const PassSequences all = sequences_of_length(tube, length);
-    if (all.gave_up) return first_that_works(assigner, sequences_in_legs(tube, length));
-    if (auto plan = first_that_works(assigner, all.sequences)) return plan;
+    PassSequences sequences;
+    if (all) sequences = sequences_of_length(tube, length);
+    all = all && !sequences.gave_up;
+    if (!all) sequences.sequences = sequences_in_legs(tube, length);
+    if (auto plan = first_that_works(assigner, sequences.sequences)) return plan;
   }
   return std::nullopt;
 }

@@ -10,7 +10,7 @@ namespace meshknit {
 namespace {
 
 // Bounds the time of one plan (some 20 ms); longer plans are found in legs or step by step.
-constexpr int most_looked_at = 100000;
+constexpr int most_looked_at = 15000;
 
 std::vector<Reach> distinct_reaches(const Tube& tube) {
   std::map<std::vector<int>, Reach> distinct;
@@ -33,49 +33,61 @@ void sort_by_travel(std::vector<Passes>& sequences) {
 
 class Enumeration {
  public:
-  Enumeration(const Tube& tube, int length) : length_(length), max_racking_(tube.max_racking) {
+  Enumeration(const Tube& tube, int length)
+      : length_(length), max_racking_(std::min(tube.max_racking, 15)) {
     int rolls = 0;
     for (const Stack& stack : tube.stacks) rolls += stack.roll() != 0;
-    extend(distinct_reaches(tube), rolls);
+    reaches_.resize(length + 1, distinct_reaches(tube));
+    extend(rolls);
     if (!result.gave_up) sort_by_travel(result.sequences);
   }
   PassSequences result;
 
  private:
-  void extend(const std::vector<Reach>& reaches, int rolls_left) {
-    const int left = length_ - static_cast<int>(passes_.size());
-    if (left == 0) {
-      result.sequences.push_back(passes_);
-      return;
-    }
+  void extend(int rolls_left) {
+    const std::size_t depth = passes_.size();
+    const int left = length_ - static_cast<int>(depth);
+    std::uint64_t allowed = ~std::uint64_t{0};
+    if (left == 1)
+      for (const Reach& reach : reaches_[depth]) allowed &= reach.last_passes(max_racking_);
+    if (!passes_.empty()) allowed &= ~pass_bit(passes_.back());
+    if (allowed == 0) return;
+
     for (const Bed from : {Bed::front, Bed::back}) {
       for (int racking = -max_racking_; racking <= max_racking_; ++racking) {
         const Pass pass{from, racking};
-        if (!passes_.empty() && passes_.back().from == from &&
-            passes_.back().racking == racking)
+        if ((allowed & pass_bit(pass)) == 0 || (changes_side(pass) && rolls_left == 0))
           continue;
-        if (changes_side(pass) && rolls_left == 0) continue;
-        if (++looked_at_ > most_looked_at) {
-          result.gave_up = true;
-          result.sequences.clear();
-          return;
-        }
-        std::vector<Reach> after = reaches;
-        for (Reach& reach : after) reach.pass(pass);
-        const bool possible = std::all_of(after.begin(), after.end(), [&](const Reach& reach) {
-          return reach.may_come_home(left - 1, max_racking_);
-        });
-        if (!possible) continue;
         passes_.push_back(pass);
-        extend(after, rolls_left - (changes_side(pass) ? 1 : 0));
+        if (left == 1)
+          result.sequences.push_back(passes_);
+        else if (possible_after(pass, depth, left - 1))
+          extend(rolls_left - (changes_side(pass) ? 1 : 0));
         passes_.pop_back();
         if (result.gave_up) return;
       }
     }
   }
 
+  // Fills the reaches of the next depth as far as they may still come home.
+  bool possible_after(const Pass& pass, std::size_t depth, int passes_left) {
+    if (++looked_at_ > most_looked_at) {
+      result.gave_up = true;
+      result.sequences.clear();
+      return false;
+    }
+    for (std::size_t i = 0; i < reaches_[depth].size(); ++i) {
+      Reach& after = reaches_[depth + 1][i];
+      after = reaches_[depth][i];
+      after.pass(pass);
+      if (!after.may_come_home(passes_left, max_racking_)) return false;
+    }
+    return true;
+  }
+
   int length_, max_racking_;
   int looked_at_ = 0;
+  std::vector<std::vector<Reach>> reaches_;  // by depth
   Passes passes_;
 };
 
@@ -96,37 +108,37 @@ std::vector<std::vector<int>> racking_runs(int max_racking) {
 
 class Legs {
  public:
-  Legs(const Tube& tube, int shortest)
-      : runs_(racking_runs(tube.max_racking)),
-        shortest_(shortest),
-        max_racking_(tube.max_racking) {
+  Legs(const Tube& tube, int length)
+      : runs_(racking_runs(tube.max_racking)), length_(length), max_racking_(tube.max_racking) {
     const std::vector<Reach> reaches = distinct_reaches(tube);
-    for (const Bed from : {Bed::front, Bed::back}) add_leg(from, 3, reaches);
+    for (const Bed from : {Bed::front, Bed::back}) add_leg(from, most_legs, reaches);
     sort_by_travel(found);
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Passes& a, const Passes& b) { return a.size() < b.size(); });
   }
   std::vector<Passes> found;
 
  private:
+  static constexpr int most_legs = 3;
+
   void add_leg(Bed from, int legs_left, const std::vector<Reach>& reaches) {
     for (const std::vector<int>& run : runs_) {
-      if (passes_.size() + run.size() > most_passes) continue;
+      const int left = length_ - static_cast<int>(passes_.size() + run.size());
+      if (left < 0 || (left > 0 && legs_left == 1)) continue;
       std::vector<Reach> after = reaches;
       for (const int racking : run) {
         passes_.push_back({from, racking});
         for (Reach& reach : after) reach.pass(passes_.back());
       }
-      const bool home = std::all_of(after.begin(), after.end(),
-                                    [](const Reach& reach) { return reach.home(); });
-      if (home && static_cast<int>(passes_.size()) >= shortest_) found.push_back(passes_);
-      if (legs_left > 1) add_leg(opposite(from), legs_left - 1, after);
+      const bool possible = std::all_of(after.begin(), after.end(), [&](const Reach& reach) {
+        return reach.may_come_home(left, max_racking_);
+      });
+      if (possible && left == 0) found.push_back(passes_);
+      if (possible && left > 0) add_leg(opposite(from), legs_left - 1, after);
       passes_.resize(passes_.size() - run.size());
     }
   }
 
   std::vector<std::vector<int>> runs_;
-  int shortest_, max_racking_;
+  int length_, max_racking_;
   Passes passes_;
 };
 
@@ -136,8 +148,8 @@ PassSequences sequences_of_length(const Tube& tube, int length) {
   return Enumeration(tube, length).result;
 }
 
-std::vector<Passes> sequences_in_legs(const Tube& tube, int shortest) {
-  return Legs(tube, shortest).found;
+std::vector<Passes> sequences_in_legs(const Tube& tube, int length) {
+  return Legs(tube, length).found;
 }
 
 }  // namespace meshknit

@@ -17,8 +17,7 @@ struct PassSequences {
 PassSequences sequences_of_length(const Tube& tube, int length);
 
 /// The same for sequences of one to three legs: runs of passes in one direction whose even
-/// rackings rise or fall by steps of 2, each leg against the direction of the one before. In
-/// the order of their length, then of their racking travel.
-std::vector<Passes> sequences_in_legs(const Tube& tube, int shortest);
+/// rackings rise or fall by steps of 2, each leg against the direction of the one before.
+std::vector<Passes> sequences_in_legs(const Tube& tube, int length);
 
 }  // namespace meshknit
