@@ -52,22 +52,25 @@ class LayoutSearch {
     const BedSplits &before = splits_[i], &after = splits_[i + 1];
     const int ways = flushes(before.slots()), next_ways = flushes(after.slots());
     std::vector<Reached> next(after.size() * next_ways);
+    const std::vector<int>& to_end = rolls.to_end[i + 1];
+    const int least_left = *std::min_element(to_end.begin(), to_end.end());
     for (int split = 0; split < before.size(); ++split) {
       if (!rolls.on_best_way(static_cast<int>(i), split)) continue;
-      const int most = rolls.to_end[i][split];
-      for_each_split_within(maps_[i], before.layout(split), after, most, [&](int to, int cost) {
-        if (cost + rolls.to_end[i + 1][to] != most) return;
-        for (int way = 0; way < ways; ++way)
-          for (int next_way = 0; next_way < next_ways; ++next_way) {
-            const int from = split * ways + way;
-            const ShiftCost total =
-                here[from].cost + meter_.measure(maps_[i], flush_layout(before, split, way),
-                                                 flush_layout(after, to, next_way));
-            Reached& candidate = next[to * next_ways + next_way];
-            if (candidate.reached && !(total < candidate.cost)) continue;
-            candidate = {total, from, true};
-          }
-      });
+      const int left = rolls.to_end[i][split];
+      for_each_split_within(
+          maps_[i], before.layout(split), after, left - least_left, [&](int to, int cost) {
+            if (cost + to_end[to] != left) return;
+            for (int way = 0; way < ways; ++way)
+              for (int next_way = 0; next_way < next_ways; ++next_way) {
+                const int from = split * ways + way;
+                const ShiftCost total =
+                    here[from].cost + meter_.measure(maps_[i], flush_layout(before, split, way),
+                                                     flush_layout(after, to, next_way));
+                Reached& candidate = next[to * next_ways + next_way];
+                if (candidate.reached && !(total < candidate.cost)) continue;
+                candidate = {total, from, true};
+              }
+          });
     }
     from_[i + 1].reserve(next.size());
     for (const Reached& layout : next) from_[i + 1].push_back(layout.from);

@@ -10,88 +10,87 @@ namespace {
 
 constexpr int kUnreached = 1 << 28;
 
-// No move between two cycles can do with fewer rolls than the least difference in size of its
-// front beds.
-int fewest_rolls_of_move(const SlotMap& map, const BedSplits& before, const BedSplits& after) {
-  int fewest = kUnreached;
-  for (int split = 0; split < after.size(); ++split) {
-    const BedLayout layout = after.layout(split);
-    const int front =
-        map.first_stack(layout.first + layout.shape.front) - map.first_stack(layout.first);
-    for (int f = 0; f < before.fronts(); ++f)
-      fewest =
-          std::min(fewest, std::abs(front - before.layout(f * before.slots()).shape.front));
-  }
-  return fewest;
-}
-
-class RollSearch {
+// Rolls between two splits, as a distance. A split is the pair of gaps (x, y) round the tube at
+// which the front bed begins and ends. Rolling one loop moves one of the gaps by one, so rolls
+// are |x - X| + |y - Y|: with front beds of sizes F and Y - X this is |X - Z| + 2 dist(x, [X,
+// Z]) for Z = Y - F. Only if the two front (or the two back) beds have no loop in common can it
+// be less, namely the sum of their sizes, which is never less than the rolls.
+class SplitDistance {
  public:
-  RollSearch(const std::vector<BedSplits>& splits, const std::vector<SlotMap>& maps,
-             RunContext* run)
-      : splits_(splits), maps_(maps), run_(run), still_needed_(splits.size(), 0) {
-    for (size_t i = maps.size(); i-- > 0;)
-      still_needed_[i] =
-          still_needed_[i + 1] + fewest_rolls_of_move(maps[i], splits[i], splits[i + 1]);
+  SplitDistance(const SlotMap& map, const BedSplits& before, const BedSplits& after)
+      : map_(map), before_(before), after_(after) {}
+
+  /// Fewest rolls to every split of `after`, from those to every split of `before`.
+  std::vector<int> forward(const std::vector<int>& from) const {
+    const int n = before_.slots();
+    std::vector<int> result(after_.size(), kUnreached);
+    for (int f = 0; f < before_.fronts(); ++f) {
+      std::vector<int> near(from.begin() + f * n, from.begin() + (f + 1) * n);
+      const int least = *std::min_element(near.begin(), near.end());
+      spread(near);
+      for (int split = 0; split < after_.size(); ++split) {
+        const Gaps gaps = gaps_of(split, f);
+        int rolls = kUnreached;
+        for (int x = gaps.begin; x <= gaps.end; ++x)
+          rolls = std::min(rolls, near[wrapped(x, n)]);
+        rolls = std::min(rolls + gaps.end - gaps.begin, least + gaps.nothing_kept);
+        result[split] = std::min(result[split], rolls);
+      }
+    }
+    return result;
   }
 
-  // Looks at all ways that cost at most a limit, and raises the limit until there is one.
-  RollTable run() {
-    for (int spare = 4; !forward(still_needed_[0] + spare); spare *= 2) {
+  /// Fewest rolls from every split of `before` to the end, given those from every split of
+  /// `after`.
+  std::vector<int> backward(const std::vector<int>& to_end) const {
+    const int n = before_.slots();
+    std::vector<int> result;
+    for (int f = 0; f < before_.fronts(); ++f) {
+      std::vector<int> near(n, kUnreached);
+      int least = kUnreached;
+      for (int split = 0; split < after_.size(); ++split) {
+        const Gaps gaps = gaps_of(split, f);
+        const int rolls = to_end[split] + gaps.end - gaps.begin;
+        for (int x = gaps.begin; x <= gaps.end; ++x)
+          near[wrapped(x, n)] = std::min(near[wrapped(x, n)], rolls);
+        least = std::min(least, to_end[split] + gaps.nothing_kept);
+      }
+      spread(near);
+      for (const int rolls : near) result.push_back(std::min(rolls, least));
     }
-    backward();
-    return std::move(table_);
+    return result;
   }
 
  private:
-  // Rolls that the move from a split may cost so that the whole way can stay within the limit.
-  int allowance(size_t cycle, int split) const {
-    return limit_ - table_.from_start[cycle][split] - still_needed_[cycle + 1];
+  struct Gaps {
+    int begin, end;    // X and Z in order, at most a turn apart
+    int nothing_kept;  // rolls if no loop stays on the front bed, or none on the back bed
+  };
+
+  static int wrapped(int x, int n) { return ((x % n) + n) % n; }
+
+  // Lowers every entry to what a neighbour offers at two rolls a place, round the tube.
+  static void spread(std::vector<int>& near) {
+    const size_t n = near.size();
+    for (size_t i = 1; i < 2 * n; ++i)
+      near[i % n] = std::min(near[i % n], near[(i - 1) % n] + 2);
+    for (size_t i = 2 * n; i-- > 1;)
+      near[(i - 1) % n] = std::min(near[(i - 1) % n], near[i % n] + 2);
   }
 
-  bool forward(int limit) {
-    limit_ = limit;
-    table_.from_start.assign(splits_.size(), {});
-    table_.from_start[0].assign(splits_[0].size(), 0);
-    for (size_t i = 0; i < maps_.size(); ++i) {
-      if (run_ && run_->cancelled()) throw Cancelled();
-      std::vector<int>& next = table_.from_start[i + 1];
-      next.assign(splits_[i + 1].size(), kUnreached);
-      for (int split = 0; split < splits_[i].size(); ++split) {
-        const int from = table_.from_start[i][split];
-        if (from == kUnreached) continue;
-        for_each_split_within(
-            maps_[i], splits_[i].layout(split), splits_[i + 1], allowance(i, split),
-            [&](int to, int rolls) { next[to] = std::min(next[to], from + rolls); });
-      }
-    }
-    const std::vector<int>& last = table_.from_start.back();
-    table_.fewest = *std::min_element(last.begin(), last.end());
-    return table_.fewest != kUnreached;
+  Gaps gaps_of(int split, int front_index) const {
+    const BedLayout layout = after_.layout(split);
+    const int n = before_.slots();
+    const int front = before_.layout(before_.number(front_index, 0)).shape.front;
+    const int x = map_.first_stack(layout.first);
+    const int y = map_.first_stack(layout.first + layout.shape.front);
+    const int z = y - front;
+    return {std::min(x, z), std::max(x, z),
+            std::min(front + (y - x), (n - front) + (n - (y - x)))};
   }
 
-  void backward() {
-    table_.to_end.assign(splits_.size(), {});
-    table_.to_end.back().assign(splits_.back().size(), 0);
-    for (size_t i = maps_.size(); i-- > 0;) {
-      const std::vector<int>& next = table_.to_end[i + 1];
-      std::vector<int>& here = table_.to_end[i];
-      here.assign(splits_[i].size(), kUnreached);
-      for (int split = 0; split < splits_[i].size(); ++split) {
-        if (table_.from_start[i][split] == kUnreached) continue;
-        for_each_split_within(
-            maps_[i], splits_[i].layout(split), splits_[i + 1], allowance(i, split),
-            [&](int to, int rolls) { here[split] = std::min(here[split], rolls + next[to]); });
-      }
-    }
-  }
-
-  const std::vector<BedSplits>& splits_;
-  const std::vector<SlotMap>& maps_;
-  RunContext* run_;
-  std::vector<int> still_needed_;
-  RollTable table_;
-  int limit_ = 0;
+  const SlotMap& map_;
+  const BedSplits &before_, &after_;
 };
 
 }  // namespace
@@ -106,7 +105,23 @@ BedSplits::BedSplits(int slots) : slots_(slots) {
 
 RollTable search_rolls(const std::vector<BedSplits>& splits, const std::vector<SlotMap>& maps,
                        RunContext* run) {
-  return RollSearch(splits, maps, run).run();
+  RollTable table;
+  table.from_start.emplace_back(splits.front().size(), 0);
+  for (size_t i = 0; i < maps.size(); ++i) {
+    if (run && run->cancelled()) throw Cancelled();
+    table.from_start.push_back(
+        SplitDistance(maps[i], splits[i], splits[i + 1]).forward(table.from_start[i]));
+  }
+  table.to_end.resize(splits.size());
+  table.to_end.back().assign(splits.back().size(), 0);
+  for (size_t i = maps.size(); i-- > 0;) {
+    if (run && run->cancelled()) throw Cancelled();
+    table.to_end[i] =
+        SplitDistance(maps[i], splits[i], splits[i + 1]).backward(table.to_end[i + 1]);
+  }
+  const std::vector<int>& last = table.from_start.back();
+  table.fewest = *std::min_element(last.begin(), last.end());
+  return table;
 }
 
 }  // namespace meshknit
