@@ -1,0 +1,31 @@
+#include "meshknit/transfer/pass_search.h"
+
+#include "meshknit/transfer/pass_sequences.h"
+
+namespace meshknit {
+namespace {
+
+std::optional<PassPlan> first_that_works(PassAssigner& assigner,
+                                         const std::vector<Passes>& sequences) {
+  for (const Passes& passes : sequences)
+    if (std::optional<Assignment> assignment = assigner.to_goals(passes))
+      return PassPlan{passes, std::move(*assignment)};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<PassPlan> search_passes(const Tube& tube) {
+  PassAssigner assigner(tube);
+  bool all = true;
+  for (int length = 1; length <= most_passes; ++length) {
+    PassSequences sequences;
+    if (all) sequences = sequences_of_length(tube, length);
+    all = all && !sequences.gave_up;
+    if (!all) sequences.sequences = sequences_in_legs(tube, length);
+    if (auto plan = first_that_works(assigner, sequences.sequences)) return plan;
+  }
+  return std::nullopt;
+}
+
+}  // namespace meshknit

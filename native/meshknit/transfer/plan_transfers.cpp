@@ -1,0 +1,88 @@
+#include "meshknit/transfer/plan_transfers.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include "meshknit/core/error.h"
+#include "meshknit/transfer/collapse_shift_expand.h"
+#include "meshknit/transfer/pass_search.h"
+#include "meshknit/transfer/transfer_checks.h"
+
+namespace meshknit {
+namespace {
+
+void advance(Tube& tube, const PassPlan& step, TransferPlan& plan) {
+  append_transfers(tube, step.passes, step.assignment, plan);
+  for (std::size_t i = 0; i < tube.stacks.size(); ++i) {
+    const Stop& end = step.assignment.ways[i].stops[step.passes.size()];
+    tube.stacks[i].side = end.side;
+    tube.stacks[i].place = end.place;
+  }
+  merge_stacks(tube);
+}
+
+Problem impossible(std::string message, std::string remedy, std::vector<int> loops) {
+  Problem problem;
+  problem.code = "transfer-impossible";
+  problem.message = std::move(message);
+  problem.remedy = std::move(remedy);
+  problem.elements.stitches = std::move(loops);
+  return problem;
+}
+
+// Pairs that the layouts before and after already stretch; no plan can help them.
+Problems stretched_layouts(const TransferProblem& problem) {
+  Problems found;
+  const int count = static_cast<int>(problem.loops.size());
+  for (int i = 0; i < count; ++i) {
+    const int j = (i + 1) % count;
+    const TransferLoop &a = problem.loops[i], &b = problem.loops[j];
+    const int before = half_gauge_needle({a.from_bed, a.from, false}).index -
+                       half_gauge_needle({b.from_bed, b.from, false}).index;
+    const int after = half_gauge_needle({a.to_bed, a.to, false}).index -
+                      half_gauge_needle({b.to_bed, b.to, false}).index;
+    const int distance = std::max(std::abs(before), std::abs(after));
+    if (distance > problem.slack[i])
+      found.push_back(impossible("Two neighbouring loops must hang " +
+                                     std::to_string(distance) +
+                                     " needles apart, but their yarn reaches only " +
+                                     std::to_string(problem.slack[i]) + ".",
+                                 "Make the shape change more slowly here.", {i, j}));
+  }
+  return found;
+}
+
+NotKnittable no_way() {
+  return NotKnittable({impossible(
+      "The loops of this row cannot be moved to where the next row needs them: the yarn "
+      "between "
+      "neighbouring loops is too short, or there is no room beside the tube.",
+      "Leave more needles free beside the object, or make the shape change more slowly here.",
+      {})});
+}
+
+}  // namespace
+
+TransferPlan plan_transfers(const TransferProblem& problem) {
+  if (const Problems wrong = check_transfer_form(problem); !wrong.empty())
+    throw InvalidInput(wrong.front().message);
+
+  if (Problems stretched = stretched_layouts(problem); !stretched.empty())
+    throw NotKnittable(std::move(stretched));
+
+  TransferPlan plan;
+  Tube tube = make_tube(problem);
+  while (!tube.arrived()) {
+    std::optional<PassPlan> step = search_passes(tube);
+    if (!step) step = collapse_shift_expand(tube);
+    if (!step) throw no_way();
+    advance(tube, *step, plan);
+  }
+  if (const Problems broken = check_transfer_plan(problem, plan); !broken.empty())
+    throw BrokenPromise("a transfer plan failed its replay: " + broken.front().message);
+  return plan;
+}
+
+}  // namespace meshknit
