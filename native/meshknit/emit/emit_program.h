@@ -8,11 +8,11 @@
 
 namespace meshknit {
 
-/// Schedule -> machine program: waste tube with anchor tucks and alternating cast-on, the object (transfers planned
-/// and replayed, stitches, increases by reverse tuck, short-row tucks), waste, drop (knitout primer, section 5).
-/// Every operation that makes a loop names its source.
-/// Requires: check_schedule finds nothing.
-/// Throws: NotKnittable if some move between two layouts has no transfer plan (names the stitches); Cancelled.
+/// Schedule -> machine program: waste tube with anchor tucks and alternating cast-on, the
+/// object (transfers planned and replayed, stitches, increases by reverse tuck, short-row
+/// tucks), waste, drop (knitout primer, section 5). Every operation that makes a loop names its
+/// source. Requires: check_schedule finds nothing. Throws: NotKnittable if some move between
+/// two layouts has no transfer plan (names the stitches); Cancelled.
 Program emit_program(const StitchTrace& trace, const Schedule& schedule,
                      const MachineProfile& profile, RunContext* run = nullptr);
 

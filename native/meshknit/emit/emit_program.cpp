@@ -1,0 +1,128 @@
+#include "meshknit/emit/emit_program.h"
+
+#include <algorithm>
+#include <string>
+
+#include "meshknit/core/error.h"
+#include "meshknit/emit/program_builder.h"
+#include "meshknit/emit/step_transfers.h"
+#include "meshknit/emit/waste_yarn.h"
+#include "meshknit/emit/yarn_ends.h"
+
+namespace meshknit {
+namespace {
+
+constexpr size_t kAnchoredSteps = 2;  // a yarn end holds by itself after two rounds
+
+Program header(const MachineProfile& profile) {
+  Program program;
+  program.carriers = profile.carriers;
+  if (!profile.machine_header.empty())
+    program.headers.emplace_back("Machine", profile.machine_header);
+  program.headers.emplace_back("Gauge", std::to_string(profile.gauge));
+  // Needles are used as written: the schedule has centred the tube and checked that it fits.
+  program.headers.emplace_back("Position", "Keep");
+  return program;
+}
+
+[[noreturn]] void refuse_transfers(const StitchTrace& trace, const ScheduleStep& step) {
+  Problem problem;
+  problem.code = "transfer-impossible";
+  problem.message = "The loops cannot be moved to where the row that begins with stitch " +
+                    std::to_string(step.first_stitch) + " needs them.";
+  problem.remedy = "Make the width of the object change more slowly there.";
+  for (size_t i = 0; i < step.before.size(); ++i) {
+    if (step.before_hooks[i] == step.moved_hooks[i]) continue;
+    for (const LoopName& loop : step.before[i]) {
+      problem.elements.stitches.push_back(loop.stitch);
+      problem.elements.nodes.push_back(trace.stitches[loop.stitch].node);
+    }
+  }
+  std::vector<int>& nodes = problem.elements.nodes;
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  throw NotKnittable({problem});
+}
+
+class Emitter {
+ public:
+  Emitter(const StitchTrace& trace, const Schedule& schedule, const MachineProfile& profile)
+      : trace_(trace), schedule_(schedule), profile_(profile), program_(header(profile)) {}
+
+  Program run(RunContext* run) {
+    const std::vector<ScheduleStep>& steps = schedule_.steps;
+    if (steps.empty()) return program_.finish();
+    knit_waste_before(program_, profile_, steps.front().before_hooks);
+    const Hook& first = steps.front().stitch_hooks.front();
+    anchors_ = bring_in(program_, profile_, profile_.yarn_carrier, first,
+                        travel(first.bed, trace_.stitches.front().direction));
+    for (size_t i = 0; i < steps.size(); ++i) {
+      report(run, static_cast<double>(i) / static_cast<double>(steps.size()));
+      move_loops(steps[i]);
+      for (int s = steps[i].first_stitch; s <= steps[i].last_stitch; ++s)
+        make_stitch(steps[i], s);
+      if (i + 1 == kAnchoredSteps) drop_anchors();
+    }
+    drop_anchors();
+    take_out(program_, profile_, profile_.yarn_carrier);
+    knit_waste_after(program_, profile_, schedule_.end_hooks);
+    report(run, 1.0);
+    return program_.finish();
+  }
+
+ private:
+  void move_loops(const ScheduleStep& step) {
+    const TransferPlan plan = plan_moves(step);
+    // Anchors lie on parked needles, which transfers need.
+    if (!plan.transfers.empty()) drop_anchors();
+    for (const Transfer& transfer : plan.transfers)
+      program_.transfer(half_gauge_needle(transfer.from), half_gauge_needle(transfer.to));
+  }
+
+  TransferPlan plan_moves(const ScheduleStep& step) const {
+    try {
+      return plan_step_transfers(step, trace_.stitches[step.first_stitch].direction, profile_);
+    } catch (const NotKnittable&) {
+      refuse_transfers(trace_, step);  // the planner knows loops by number, a modeler by node
+    }
+  }
+
+  void make_stitch(const ScheduleStep& step, int s) {
+    const Stitch& stitch = trace_.stitches[s];
+    const Hook& hook = step.stitch_hooks[s - step.first_stitch];
+    const Source source{Source::Kind::stitch, s};
+    const Side side = travel(hook.bed, stitch.direction);
+    if (stitch.kind == StitchKind::tuck) {
+      program_.tuck(side, needle_of(hook), profile_.yarn_carrier, source);
+      return;
+    }
+    program_.knit(side, needle_of(hook), profile_.yarn_carrier, source);
+    if (stitch.kind == StitchKind::increase) {
+      // Against the course, so that the loop is twisted and leaves no hole. Round the end of
+      // the tube that is the other side of the other bed.
+      const Hook& second = step.second_loop_hooks[s - step.first_stitch];
+      program_.tuck(reverse(travel(second.bed, stitch.direction)), needle_of(second),
+                    profile_.yarn_carrier, source);
+    }
+  }
+
+  void drop_anchors() {
+    for (const Needle& needle : anchors_) program_.drop(needle);
+    anchors_.clear();
+  }
+
+  const StitchTrace& trace_;
+  const Schedule& schedule_;
+  const MachineProfile& profile_;
+  ProgramBuilder program_;
+  std::vector<Needle> anchors_;
+};
+
+}  // namespace
+
+Program emit_program(const StitchTrace& trace, const Schedule& schedule,
+                     const MachineProfile& profile, RunContext* run) {
+  return Emitter(trace, schedule, profile).run(run);
+}
+
+}  // namespace meshknit

@@ -1,0 +1,58 @@
+#include "meshknit/emit/step_transfers.h"
+
+#include <algorithm>
+
+#include "meshknit/transfer/plan_transfers.h"
+
+namespace meshknit {
+namespace {
+
+// Needle x of a bed becomes needle -x. Since a back hook lies one needle right of its place,
+// loops of the back side go to place -n - 1.
+int mirrored(Bed side, int n) { return side == Bed::front ? -n : -n - 1; }
+
+Place mirrored(const Place& place) {
+  const Bed side = place.parked ? opposite(place.bed) : place.bed;
+  return {place.bed, mirrored(side, place.n), place.parked};
+}
+
+// Seen in a mirror clockwise is anticlockwise: the planner, which stacks loops in anticlockwise
+// order, then stacks them in clockwise order. Lengths and the size of rackings stay the same.
+TransferProblem mirrored(const TransferProblem& problem) {
+  TransferProblem image = problem;
+  std::reverse(image.loops.begin(), image.loops.end());
+  for (TransferLoop& loop : image.loops) {
+    loop.from = mirrored(loop.from_bed, loop.from);
+    loop.to = mirrored(loop.to_bed, loop.to);
+  }
+  // slack[i] is between loops i and i + 1: reversed, the last one stays between last and first.
+  std::reverse(image.slack.begin(), image.slack.end() - 1);
+  image.lowest = -problem.highest;
+  image.highest = -problem.lowest - 1;
+  return image;
+}
+
+}  // namespace
+
+TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
+                                 const MachineProfile& profile) {
+  TransferProblem problem;
+  bool moves = false;
+  for (size_t i = 0; i < step.before.size(); ++i) {
+    const Hook &from = step.before_hooks[i], &to = step.moved_hooks[i];
+    problem.loops.push_back({from.bed, from.n, to.bed, to.n});
+    moves = moves || !(from == to);
+  }
+  if (!moves) return {};
+  problem.slack = usual_slack(problem.loops);
+  problem.max_racking = profile.max_racking;
+  problem.lowest = 1;
+  problem.highest = profile.needles / 2 - 1;
+  if (direction == Direction::anticlockwise) return plan_transfers(problem);
+  TransferPlan plan = plan_transfers(mirrored(problem));
+  for (Transfer& transfer : plan.transfers)
+    transfer = {mirrored(transfer.from), mirrored(transfer.to)};
+  return plan;
+}
+
+}  // namespace meshknit

@@ -1,0 +1,35 @@
+#include "meshknit/emit/yarn_ends.h"
+
+namespace meshknit {
+
+std::vector<Needle> bring_in(ProgramBuilder& program, const MachineProfile& profile,
+                             const std::string& carrier, const Hook& first, Side side) {
+  const Source anchor{Source::Kind::anchor, -1};
+  const Side first_way = profile.first_stitch_leftward ? Side::left : Side::right;
+  std::vector<Needle> anchors;
+  const auto tuck = [&](Side way, int places_before) {
+    const int n = first.n + (side == Side::left ? places_before : -places_before);
+    const Needle needle = half_gauge_needle({Bed::front, n, true});
+    program.tuck(way, needle, carrier, anchor);
+    anchors.push_back(needle);
+  };
+  program.carrier(profile.has_inserting_hook ? Op::inhook : Op::in, carrier);
+  if (side == first_way) {
+    for (const int places : {3, 2, 1}) tuck(side, places);
+  } else {
+    // Out past the yarn's place, then back through the gap, so that the carrier arrives from
+    // behind the first stitch.
+    tuck(first_way, 1);
+    tuck(first_way, 3);
+    tuck(side, 2);
+  }
+  if (profile.has_inserting_hook) program.carrier(Op::releasehook, carrier);
+  return anchors;
+}
+
+void take_out(ProgramBuilder& program, const MachineProfile& profile,
+              const std::string& carrier) {
+  program.carrier(profile.has_inserting_hook ? Op::outhook : Op::out, carrier);
+}
+
+}  // namespace meshknit

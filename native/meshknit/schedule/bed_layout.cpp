@@ -1,0 +1,48 @@
+#include "meshknit/schedule/bed_layout.h"
+
+#include <algorithm>
+
+namespace meshknit {
+
+std::vector<BedShape> bed_shapes(int slots) {
+  std::vector<BedShape> shapes;
+  const auto add = [&](int front, int left) {
+    if (front >= 1 && front < slots) shapes.push_back({front, left});
+  };
+  const int half = slots / 2;
+  if (slots % 2 == 0) {
+    add(half, 0);
+    add(half, 1);
+    add(half, -1);
+    add(half + 1, 1);
+    add(half - 1, -1);
+  } else {
+    add(half + 1, 0);
+    add(half + 1, 1);
+    add(half, 0);
+    add(half, -1);
+  }
+  return shapes;
+}
+
+bool is_aligned(const BedLayout& layout) {
+  return layout.shape.left == 0 && 2 * layout.shape.front == layout.slots;
+}
+
+Hook slot_hook(const BedLayout& layout, int slot) {
+  const int turn = (slot - layout.first + layout.slots) % layout.slots;
+  const int front = layout.shape.front;
+  if (turn < front) return {Bed::front, layout.place + turn};
+  // The back bed is walked from its right end, which is slots - front - 1 places from its left
+  // end.
+  return {Bed::back, layout.place + layout.shape.left + (layout.slots - 1 - turn)};
+}
+
+PlaceRange places_of(const BedLayout& layout) {
+  const int back = layout.slots - layout.shape.front;
+  const int back_left = layout.place + layout.shape.left;
+  return {std::min(layout.place, back_left),
+          std::max(layout.place + layout.shape.front, back_left + back) - 1};
+}
+
+}  // namespace meshknit

@@ -1,0 +1,222 @@
+#include "meshknit/schedule/schedule.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include "meshknit/core/error.h"
+#include "meshknit/schedule/schedule_checks.h"
+#include "schedule/tube_knitter.h"
+
+namespace meshknit {
+namespace {
+
+MachineProfile half_metre_machine() {
+  MachineProfile profile;
+  profile.needles = 300;
+  return profile;
+}
+
+std::string first_message(const Problems& problems) {
+  return problems.empty() ? "" : problems.front().message;
+}
+
+bool moves(const ScheduleStep& step) {
+  for (size_t i = 0; i < step.before.size(); ++i)
+    if (!(step.before_hooks[i] == step.moved_hooks[i])) return true;
+  return false;
+}
+
+TEST(Schedule, APlainTubeNeverMovesALoop) {
+  for (const int loops : {2, 3, 6, 7, 60, 61}) {
+    const StitchTrace trace = plain_tube(loops, 10);
+    const Schedule schedule = schedule_stitches(trace, half_metre_machine());
+    EXPECT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "");
+    EXPECT_EQ(schedule.steps.size(), 10u) << "a step is a round";
+    // An odd tube has one loop more on one bed, in every round.
+    EXPECT_EQ(schedule.cost.alignment, loops % 2 == 0 ? 0 : 10);
+    EXPECT_EQ(schedule.cost.roll, 0);
+    EXPECT_EQ(schedule.cost.shift, 0);
+    for (const ScheduleStep& step : schedule.steps) EXPECT_FALSE(moves(step));
+  }
+}
+
+TEST(Schedule, AShortRowNeedsNoTransfer) {
+  TubeKnitter tube(20);
+  tube.round().knit(9).turn().knit(6).turn().knit(6).round();
+  const StitchTrace trace = tube.end();
+  const Schedule schedule = schedule_stitches(trace, half_metre_machine());
+  EXPECT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "");
+  for (const ScheduleStep& step : schedule.steps) EXPECT_FALSE(moves(step));
+  // The first tuck is made before the turn, with the stitches that lead to it.
+  for (const ScheduleStep& step : schedule.steps)
+    for (int s = step.first_stitch; s <= step.last_stitch; ++s)
+      EXPECT_EQ(trace.stitches[s].direction, trace.stitches[step.first_stitch].direction);
+}
+
+// Two decreases opposite each other, on a rotation that puts one on each bed, keep both beds
+// equally long: nothing rolls.
+TEST(Schedule, DecreasesOnOppositeSidesDoNotRoll) {
+  TubeKnitter tube(24);
+  for (int r = 0; r < 4; ++r) {
+    const int half = tube.loops() / 2;
+    tube.decrease().knit(half - 2).decrease().knit(half - 2);
+    tube.round();
+  }
+  const StitchTrace trace = tube.end();
+  const Schedule schedule = schedule_stitches(trace, half_metre_machine());
+  EXPECT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "");
+  EXPECT_EQ(schedule.cost.alignment, 0);
+  EXPECT_EQ(schedule.cost.roll, 0);
+}
+
+// A cone that loses one loop a round from 24 down to 8, always at the same spot. Every two
+// rounds the side with the decreases is two loops short, and one loop must come round from the
+// other bed: 16 decreases, so at least 7 rolls (the last pair may be left uneven only while the
+// count is odd).
+TEST(Schedule, OneSidedShapingRollsOnceEveryTwoDecreases) {
+  const StitchTrace trace = one_sided_cone(24, 8);
+  const Schedule schedule = schedule_stitches(trace, half_metre_machine());
+  EXPECT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "");
+  EXPECT_LE(schedule.cost.roll, 8);
+}
+
+TEST(Schedule, RandomTubesKeepEveryPromise) {
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    const StitchTrace trace = random_tube(seed, 6 + static_cast<int>(seed % 31), 8, 6);
+    const Schedule schedule = schedule_stitches(trace, half_metre_machine());
+    ASSERT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "")
+        << "seed " << seed;
+  }
+}
+
+TEST(Schedule, NeighboursNeverHangMoreThanTwoPlacesApart) {
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    const StitchTrace trace = random_tube(seed, 16, 8, 4);
+    const Schedule schedule = schedule_stitches(trace, half_metre_machine());
+    for (const ScheduleStep& step : schedule.steps)
+      for (size_t i = 0; i < step.moved_hooks.size(); ++i) {
+        const Hook &a = step.moved_hooks[i],
+                   &b = step.moved_hooks[(i + 1) % step.moved_hooks.size()];
+        ASSERT_LE(std::abs(a.n - b.n), 2) << "seed " << seed;
+      }
+  }
+}
+
+TEST(Schedule, TheTubeStaysInTheMiddleOfTheBed) {
+  const Schedule schedule = schedule_stitches(plain_tube(20, 4), half_metre_machine());
+  int lowest = 1000, highest = 0;
+  for (const Hook& hook : schedule.end_hooks) {
+    lowest = std::min(lowest, hook.n);
+    highest = std::max(highest, hook.n);
+  }
+  // Places 1..149 are free: as many left of the tube as right of it, but for one.
+  EXPECT_LE(std::abs((lowest - 1) - (149 - highest)), 1);
+}
+
+TEST(Schedule, ATubeWiderThanTheBedSaysWhichScaleFits) {
+  MachineProfile small;
+  small.needles = 60;
+  // Places 1..29, four of them kept free at each end: 21 places, 42 loops. 60 loops need 30
+  // places; 21/30 = 70 %.
+  try {
+    schedule_stitches(plain_tube(60, 4), small);
+    FAIL() << "60 loops cannot hang on 21 places";
+  } catch (const NotKnittable& refused) {
+    const Problem* problem = find_problem(refused.problems(), "too-wide");
+    ASSERT_NE(problem, nullptr);
+    EXPECT_NE(problem->remedy.find("70 %"), std::string::npos) << problem->remedy;
+    EXPECT_EQ(problem->elements.nodes.size(), 60u);
+  }
+  EXPECT_NO_THROW(schedule_stitches(plain_tube(42, 4), small));
+}
+
+// Tubes that lean to one side for as long as they are knit would walk off the bed.
+TEST(Schedule, ALeaningTubeStaysOnTheBed) {
+  MachineProfile small;
+  small.needles = 46;  // 14 places: 28 loops
+  TubeKnitter tube(28);
+  for (int r = 0; r < 12; ++r) {
+    tube.decrease().knit(tube.loops() - 2);
+    tube.knit(3).increase().knit(tube.loops() - 5);
+  }
+  const StitchTrace trace = tube.end();
+  const Schedule schedule = schedule_stitches(trace, small);
+  EXPECT_EQ(first_message(check_schedule(trace, schedule, small)), "");
+}
+
+TEST(Schedule, TwoYarnsAreRefused) {
+  StitchTrace trace = plain_tube(8, 4);
+  trace.stitches[20].yarn = 1;
+  try {
+    schedule_stitches(trace, half_metre_machine());
+    FAIL();
+  } catch (const NotKnittable& refused) {
+    ASSERT_NE(find_problem(refused.problems(), "needs-one-tube"), nullptr);
+    EXPECT_EQ(refused.problems().front().elements.stitches, std::vector<int>{20});
+  }
+}
+
+TEST(Schedule, ParentsThatDoNotHangSideBySideAreRefused) {
+  StitchTrace trace = plain_tube(8, 4);
+  std::swap(trace.stitches[9].parents, trace.stitches[12].parents);
+  trace.stitches[8].parents = {0, 4};
+  EXPECT_THROW(schedule_stitches(trace, half_metre_machine()), NotKnittable);
+}
+
+TEST(Schedule, CancellingStopsIt) {
+  RunContext run;
+  run.cancel();
+  EXPECT_THROW(schedule_stitches(one_sided_cone(24, 8), half_metre_machine(), &run), Cancelled);
+}
+
+class BrokenSchedule : public testing::Test {
+ protected:
+  void expect(const std::string& code) {
+    EXPECT_NE(find_problem(check_schedule(trace, schedule, half_metre_machine()), code),
+              nullptr);
+  }
+  StitchTrace trace = random_tube(5, 14, 6, 4);
+  Schedule schedule = schedule_stitches(trace, half_metre_machine());
+};
+
+TEST_F(BrokenSchedule, AForgottenStepIsFound) {
+  schedule.steps.pop_back();
+  expect("step-order");
+}
+TEST_F(BrokenSchedule, ALoopThatJumpedBetweenStepsIsFound) {
+  schedule.steps[2].before_hooks[0].n += 1;
+  expect("step-start");
+}
+TEST_F(BrokenSchedule, AStitchOnAnotherNeedleIsFound) {
+  std::swap(schedule.steps[1].stitch_hooks[0], schedule.steps[1].stitch_hooks[3]);
+  expect("wrong-parents");
+}
+TEST_F(BrokenSchedule, ATubeTornApartIsFound) {
+  for (ScheduleStep& step : schedule.steps)
+    for (std::vector<Hook>* hooks :
+         {&step.before_hooks, &step.moved_hooks, &step.stitch_hooks, &step.second_loop_hooks})
+      for (Hook& hook : *hooks) hook.n += hook.bed == Bed::back ? 2 : 0;
+  expect("no-layout");
+}
+TEST_F(BrokenSchedule, NeedlesBeyondTheBedAreFound) {
+  for (ScheduleStep& step : schedule.steps)
+    for (std::vector<Hook>* hooks :
+         {&step.before_hooks, &step.moved_hooks, &step.stitch_hooks, &step.second_loop_hooks})
+      for (Hook& hook : *hooks) hook.n += 100;
+  expect("off-bed");
+}
+TEST_F(BrokenSchedule, AnIncreaseOntoAnotherLoopIsFound) {
+  for (ScheduleStep& step : schedule.steps)
+    for (int s = step.first_stitch; s <= step.last_stitch; ++s)
+      if (trace.stitches[s].kind == StitchKind::increase)
+        step.second_loop_hooks[s - step.first_stitch] =
+            step.moved_hooks[step.moved_hooks.size() / 2];
+  expect("hook-taken");
+}
+
+}  // namespace
+}  // namespace meshknit

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshknit/schedule/schedule.h"
+#include "meshknit/tracing/stitch.h"
+
+namespace meshknit {
+
+/// Knits one tube by hand and writes down its trace. The yarn sits at a stack; every call works
+/// the next stack in the current direction.
+class TubeKnitter {
+ public:
+  /// Starts `loops` loops anticlockwise.
+  explicit TubeKnitter(int loops);
+
+  TubeKnitter& knit(int stitches = 1);
+  TubeKnitter& increase();
+  TubeKnitter& decrease();
+  /// Knits once over every stack.
+  TubeKnitter& round();
+  /// Tucks on the next stack and turns.
+  TubeKnitter& turn();
+  /// Knits the last round: no stitch has children.
+  StitchTrace end();
+
+  int loops() const { return static_cast<int>(ring_.size()); }
+
+ private:
+  int ahead() const;
+  int add(StitchKind kind);
+  void give_parents(int stitch, const LoopStack& stack);
+
+  StitchTrace trace_;
+  std::vector<LoopStack> ring_;  // anticlockwise
+  int at_ = 0;                   // stack that the yarn comes from
+  Direction direction_ = Direction::anticlockwise;
+};
+
+/// Random numbers that are the same everywhere.
+class Dice {
+ public:
+  explicit Dice(std::uint32_t seed) : state_(seed * 2654435761u + 12345u) {}
+  /// 0 <= result < sides
+  int roll(int sides) {
+    state_ = state_ * 1664525u + 1013904223u;
+    return static_cast<int>((state_ >> 8) % static_cast<std::uint32_t>(sides));
+  }
+
+ private:
+  std::uint32_t state_;
+};
+
+/// A tube with random increases, decreases and short rows; shaping goes with probability about
+/// 1/rarity a stitch.
+StitchTrace random_tube(std::uint32_t seed, int loops, int rounds, int rarity);
+
+/// A tube that loses a loop a round, always at the same side, from `loops` down to `least`.
+StitchTrace one_sided_cone(int loops, int least);
+
+/// `rounds` plain rounds over `loops` loops, start and end rounds included.
+StitchTrace plain_tube(int loops, int rounds);
+
+}  // namespace meshknit
