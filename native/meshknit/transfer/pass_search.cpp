@@ -15,6 +15,16 @@ std::optional<PassPlan> first_that_works(PassAssigner& assigner,
 
 }  // namespace
 
+void advance(Tube& tube, const PassPlan& step, TransferPlan& plan) {
+  append_transfers(tube, step.passes, step.assignment, plan);
+  for (std::size_t i = 0; i < tube.stacks.size(); ++i) {
+    const Stop& end = step.assignment.ways[i].stops[step.passes.size()];
+    tube.stacks[i].side = end.side;
+    tube.stacks[i].place = end.place;
+  }
+  merge_stacks(tube);
+}
+
 std::optional<PassPlan> search_passes(const Tube& tube) {
   PassAssigner assigner(tube);
   bool all = true;

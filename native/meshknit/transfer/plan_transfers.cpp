@@ -13,16 +13,6 @@
 namespace meshknit {
 namespace {
 
-void advance(Tube& tube, const PassPlan& step, TransferPlan& plan) {
-  append_transfers(tube, step.passes, step.assignment, plan);
-  for (std::size_t i = 0; i < tube.stacks.size(); ++i) {
-    const Stop& end = step.assignment.ways[i].stops[step.passes.size()];
-    tube.stacks[i].side = end.side;
-    tube.stacks[i].place = end.place;
-  }
-  merge_stacks(tube);
-}
-
 Problem impossible(std::string message, std::string remedy, std::vector<int> loops) {
   Problem problem;
   problem.code = "transfer-impossible";
