@@ -11,18 +11,19 @@ namespace meshknit {
 
 /// What the simulated machine saw.
 struct VerifyReport {
-  bool ok = false;      ///< no errors: the file may leave
-  Problems problems;    ///< each names its line and, where there is one, its stitch
-  int loops = 0;        ///< loops of the object (waste and anchors not counted)
-  int edges = 0;        ///< loop-through-loop edges of the object
+  bool ok = false;    ///< no errors: the file may leave
+  Problems problems;  ///< each names its line and, where there is one, its stitch
+  int loops = 0;      ///< loops of the object (waste and anchors not counted)
+  int edges = 0;      ///< loop-through-loop edges of the object
   int errors = 0, warnings = 0;
   int max_stack = 0;
   int max_stretch = 0;  ///< needles
 };
 
-/// The independent check (primer, section 7). Replays the text on a model of both beds, rebuilds
-/// every loop with its parents and yarn and compares, carrier by carrier and item by item, with
-/// the trace. Looks at nothing but its three arguments. Never throws on any text (but Cancelled).
+/// The independent check (primer, section 7). Replays the text on a model of both beds,
+/// rebuilds every loop with its parents and yarn and compares, carrier by carrier and item by
+/// item, with the trace. Looks at nothing but its three arguments. Never throws on any text
+/// (but Cancelled).
 VerifyReport verify_knitout(std::string_view text, const MachineProfile& profile,
                             const StitchTrace& trace, RunContext* run = nullptr);
 

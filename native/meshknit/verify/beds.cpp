@@ -1,0 +1,53 @@
+#include "meshknit/verify/beds.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace meshknit {
+namespace {
+
+bool works_needles(Op op) {
+  switch (op) {
+    case Op::knit:
+    case Op::tuck:
+    case Op::split:
+    case Op::drop:
+    case Op::amiss:
+    case Op::xfer:
+    case Op::miss:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool keeps_position(const Program& program) {
+  return std::any_of(program.headers.begin(), program.headers.end(), [](const auto& header) {
+    return header.first == "Position" && header.second == "Keep";
+  });
+}
+
+int lowest_needle(const Program& program) {
+  int lowest = std::numeric_limits<int>::max();
+  for (const Instruction& i : program.instructions) {
+    if (!works_needles(i.op)) continue;
+    lowest = std::min(lowest, i.needle.index);
+    if (i.op == Op::xfer || i.op == Op::split) lowest = std::min(lowest, i.target.index);
+  }
+  return lowest == std::numeric_limits<int>::max() ? 1 : lowest;
+}
+
+}  // namespace
+
+Beds::Beds(const Program& program, const MachineProfile& profile)
+    : lowest_(keeps_position(program) ? 1 : lowest_needle(program)),
+      width_(std::max(profile.needles, 0)),
+      stacks_(static_cast<std::size_t>(width_) * 4) {}
+
+std::size_t Beds::index(const Needle& needle) const {
+  const int row = (needle.bed == Bed::front ? 0 : 2) + (needle.slider ? 1 : 0);
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+         static_cast<std::size_t>(needle.index - lowest_);
+}
+
+}  // namespace meshknit

@@ -1,0 +1,44 @@
+#include "meshknit/verify/loop_fates.h"
+
+#include <string>
+
+namespace meshknit {
+namespace {
+
+void check_end(const Fabric& fabric, const Loop& loop, int stitch, ProblemLog& log) {
+  const int out = fabric.yarns[loop.yarn].line_out;
+  const bool dropped = loop.fate == Loop::Fate::dropped && loop.child < 0;
+  if (dropped && (out == 0 || loop.fate_line < out)) {
+    log.error("end-dropped-early", loop.fate_line,
+              "the last loop of stitch " + std::to_string(stitch) +
+                  " is dropped while its yarn is still in",
+              {stitch});
+  }
+}
+
+}  // namespace
+
+void check_loop_fates(const Fabric& fabric, const StitchTrace& trace,
+                      const std::vector<int>& stitch_of, ProblemLog& log) {
+  for (std::size_t id = 0; id < fabric.loops.size(); ++id) {
+    const Loop& loop = fabric.loops[id];
+    if (!is_object(loop)) continue;
+    const int stitch = stitch_of[id];
+    if (stitch >= 0 && trace.stitches[stitch].kind == StitchKind::end) {
+      check_end(fabric, loop, stitch, log);
+      continue;
+    }
+    if (loop.child < 0 && loop.fate == Loop::Fate::dropped) {
+      log.error("loop-dropped", loop.fate_line,
+                "the loop on " + to_string(loop.hangs_on) +
+                    " is dropped without having been knit through; it would run",
+                {stitch});
+    }
+    if (loop.child >= 0 && !is_object(fabric.loops[loop.child])) {
+      log.error("waste-through-object", fabric.loops[loop.child].line,
+                "waste is knit through a loop of the object that does not end there", {stitch});
+    }
+  }
+}
+
+}  // namespace meshknit

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "meshknit/tracing/stitch.h"
+#include "meshknit/verify/fabric.h"
+#include "meshknit/verify/problem_log.h"
+
+namespace meshknit {
+
+/// How the object's loops may end (primer, section 7, step 4): all are knit through by the
+/// object, but those of end stitches, which are knit through by waste or dropped after their
+/// yarn went out. Waste and anchors may be dropped. `stitch_of` gives the traced stitch of
+/// every loop, -1 for none.
+void check_loop_fates(const Fabric& fabric, const StitchTrace& trace,
+                      const std::vector<int>& stitch_of, ProblemLog& log);
+
+}  // namespace meshknit

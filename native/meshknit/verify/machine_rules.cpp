@@ -1,0 +1,87 @@
+#include "meshknit/verify/machine_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "meshknit/verify/fabric.h"
+
+namespace meshknit {
+namespace {
+
+const std::string* header(const Program& program, const std::string& name) {
+  const auto found = std::find_if(program.headers.begin(), program.headers.end(),
+                                  [&](const auto& entry) { return entry.first == name; });
+  return found == program.headers.end() ? nullptr : &found->second;
+}
+
+}  // namespace
+
+void check_headers(const Program& program, const MachineProfile& profile, ProblemLog& log) {
+  if (program.carriers != profile.carriers) {
+    log.error("wrong-carriers", 0,
+              "The file's Carriers header does not list the carriers of " + profile.name, {},
+              "List exactly the machine's carriers, front to back.");
+  }
+  const std::string* machine = header(program, "Machine");
+  if (machine && *machine != profile.machine_header) {
+    log.error("wrong-machine", 0,
+              "The file is for the machine \"" + *machine + "\", not for " + profile.name, {},
+              "Choose the machine that the file was made for.");
+  }
+  const std::string* gauge = header(program, "Gauge");
+  if (gauge && *gauge != std::to_string(profile.gauge)) {
+    log.warning("other-gauge", 0, "The file names another gauge than the machine has", {},
+                "Write the machine's needles an inch into the Gauge header, or leave it out.");
+  }
+}
+
+int check_racking(const Instruction& i, const MachineProfile& profile, ProblemLog& log) {
+  const double fraction = i.racking - std::floor(i.racking);
+  if (fraction != 0.0 && fraction != profile.quarter_pitch) {
+    log.error("racking-fraction", i.line,
+              "the beds can stand on a needle or a quarter pitch beside it, nowhere else");
+  }
+  if (!(std::abs(i.racking) <= profile.max_racking)) {
+    log.error("racking-too-far", i.line,
+              "the racking goes beyond " + std::to_string(profile.max_racking) + " needles");
+  }
+  return static_cast<int>(std::lround(i.racking * kQuarters));
+}
+
+bool check_needle(const Needle& needle, int line, const Beds& beds,
+                  const MachineProfile& profile, ProblemLog& log) {
+  if (needle.slider && !profile.has_sliders) {
+    log.error("no-sliders", line, "the machine has no sliders: " + to_string(needle));
+  }
+  if (beds.has(needle)) return true;
+  log.error("needle-outside", line,
+            to_string(needle) + " lies outside the bed, which has needles " +
+                std::to_string(beds.lowest()) + " to " + std::to_string(beds.highest()),
+            {}, "Make the object smaller or place it elsewhere on the bed.");
+  return false;
+}
+
+void check_handover(const Instruction& i, int racking, ProblemLog& log) {
+  if (i.needle.bed == i.target.bed) {
+    log.error("transfer-same-bed", i.line,
+              "loops pass between the beds only, not from " + to_string(i.needle) + " to " +
+                  to_string(i.target));
+    return;
+  }
+  if (i.needle.slider && i.target.slider) {
+    log.error("slider-to-slider", i.line, "a slider cannot hand loops to a slider");
+  }
+  if (racking % kQuarters != 0) {
+    log.error("transfer-at-quarter-pitch", i.line,
+              "no needles face each other while the beds stand a fraction of a needle apart");
+  } else if (kQuarters * racking_between(i.needle, i.target) != racking) {
+    log.error("not-aligned", i.line,
+              to_string(i.needle) + " and " + to_string(i.target) +
+                  " face each other at racking " +
+                  std::to_string(racking_between(i.needle, i.target)) + ", not at " +
+                  std::to_string(racking / kQuarters));
+  }
+}
+
+}  // namespace meshknit

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "meshknit/core/run_context.h"
+#include "meshknit/machine/machine_profile.h"
+#include "meshknit/machine/program.h"
+#include "meshknit/verify/fabric.h"
+#include "meshknit/verify/problem_log.h"
+
+namespace meshknit {
+
+/// Runs a program on a model of both beds (primer, sections 2.2 to 2.4 and 7, steps 2, 3 and 6)
+/// and returns every loop that it made. What breaks a rule of the machine, stretches yarn,
+/// disturbs the order of the tube, or leaves loops or carriers behind goes to `log` with its
+/// line; the replay then goes on as well as it can. The beds hold one tube. Throws: Cancelled.
+Fabric replay_program(const Program& program, const MachineProfile& profile, ProblemLog& log,
+                      RunContext* run = nullptr);
+
+}  // namespace meshknit

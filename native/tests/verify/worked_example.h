@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "meshknit/tracing/stitch.h"
+
+namespace meshknit {
+
+/// The traced stitches of the primer's worked example (section 6), written by hand.
+StitchTrace worked_trace();
+
+/// The worked example's knitout text, line by line, to be damaged. A line is named by a piece
+/// of text; the first line that contains it is meant.
+class KnitoutLines {
+ public:
+  KnitoutLines();
+
+  std::string text() const;
+  int find(const std::string& part) const;
+
+  KnitoutLines& remove(const std::string& part);
+  KnitoutLines& replace(const std::string& part, const std::string& with);
+  KnitoutLines& before(const std::string& part, std::vector<std::string> added);
+  KnitoutLines& swap(const std::string& part, const std::string& other);
+
+  std::vector<std::string>& lines() { return lines_; }
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+}  // namespace meshknit
