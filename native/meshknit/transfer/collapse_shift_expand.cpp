@@ -1,23 +1,30 @@
 #include "meshknit/transfer/collapse_shift_expand.h"
 
-#include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace meshknit {
 namespace {
 
-// All triples of rackings, in both directions; at most one of them is odd, since loops go round
-// one end at a time.
+bool odd(int racking) { return racking % 2 != 0; }
+
+// Collapse, shift, expand; or a collapse or an expansion in two passes, for stacks of a
+// decrease that must arrive one after the other and for loops that go round an end while others
+// are parked.
 std::vector<Passes> iterations(int max_racking, bool rolls) {
   std::vector<Passes> found;
   for (const Bed bed : {Bed::front, Bed::back}) {
-    for (int collapse = -max_racking; collapse <= max_racking; ++collapse) {
-      for (int shift = -max_racking; shift <= max_racking; ++shift) {
-        for (int expand = -max_racking; expand <= max_racking; ++expand) {
-          const int odd = collapse % 2 != 0 ? 1 : 0;
-          const int odds = odd + (shift % 2 != 0 ? 1 : 0) + (expand % 2 != 0 ? 1 : 0);
-          if (odds > (rolls ? 1 : 0)) continue;
-          found.push_back({{bed, collapse}, {opposite(bed), shift}, {bed, expand}});
+    const Bed other = opposite(bed);
+    for (const auto& beds :
+         {std::array<Bed, 3>{bed, other, bed}, std::array<Bed, 3>{bed, other, other},
+          std::array<Bed, 3>{bed, bed, other}}) {
+      for (int first = -max_racking; first <= max_racking; ++first) {
+        for (int second = -max_racking; second <= max_racking; ++second) {
+          for (int third = -max_racking; third <= max_racking; ++third) {
+            // Loops go round one end at a time.
+            if (odd(first) + odd(second) + odd(third) <= (rolls ? 1 : 0))
+              found.push_back({{beds[0], first}, {beds[1], second}, {beds[2], third}});
+          }
         }
       }
     }
@@ -55,8 +62,8 @@ std::optional<PassPlan> collapse_shift_expand(const Tube& tube) {
   PassAssigner assigner(tube);
   std::optional<PassPlan> best;
   for (const Passes& passes : iterations(tube.max_racking, rolls)) {
-    std::optional<Assignment> assignment = assigner.towards_goals(passes, penalty);
-    if (!assignment || assignment->cost >= least) continue;
+    std::optional<Assignment> assignment = assigner.towards_goals(passes, penalty, least);
+    if (!assignment) continue;
     least = assignment->cost;
     best = PassPlan{passes, std::move(*assignment)};
   }

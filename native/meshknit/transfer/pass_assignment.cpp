@@ -10,9 +10,10 @@ constexpr long impossible = -1;
 }  // namespace
 
 std::optional<Assignment> PassAssigner::to_goals(const Passes& passes) {
-  return assign(passes, Ending::goal, [](const Block& block, const Itinerary& way) {
-    return static_cast<long>(way.transfers) * block.size();
-  });
+  return assign(passes, Ending::goal, std::numeric_limits<long>::max(),
+                [](const Block& block, const Itinerary& way) {
+                  return static_cast<long>(way.transfers) * block.size();
+                });
 }
 
 const PassAssigner::Ways& PassAssigner::ways_of(std::size_t block, const Passes& passes,
@@ -24,11 +25,13 @@ const PassAssigner::Ways& PassAssigner::ways_of(std::size_t block, const Passes&
   return ways_[block];
 }
 
-bool PassAssigner::list_allowed(const Passes& passes, Ending ending) {
+void PassAssigner::forget_ways() {
   allowed_.resize(blocks_.size());
   ways_.resize(blocks_.size());
   has_ways_.assign(blocks_.size(), false);
-  if (!list_allowed_after(last_refusal_, passes, ending)) return false;
+}
+
+bool PassAssigner::list_allowed(const Passes& passes, Ending ending) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (b == last_refusal_ || list_allowed_after(b, passes, ending)) continue;
     last_refusal_ = b;
