@@ -7,21 +7,36 @@
 
 namespace meshknit {
 
-/// Indices in range, every node in exactly one row, closed rows of at least 3 nodes, lengths present and
-/// positive, columns in the documented order. The other checks require this one to find nothing.
+/// Indices in range, every node in exactly one row, closed rows of at least 3 nodes, lengths
+/// present and positive, columns in the documented order. The other checks require this one to
+/// find nothing.
 Problems check_graph_form(const KnitGraph& graph);
 
-/// One function a property of the paper (3.2, "Knit Graph Properties"). Each violation is one Problem
-/// with code "property-N-..." that names its nodes.
-Problems check_consistent_orientation(const KnitGraph& graph);  ///< Property 1
-Problems check_helix_free(const KnitGraph& graph);              ///< Property 2
-Problems check_node_degree(const KnitGraph& graph);             ///< Property 3
-Problems check_simple_short_rows(const KnitGraph& graph);       ///< Property 4
-Problems check_simple_splits(const KnitGraph& graph);           ///< Property 5
-Problems check_feasible_splits(const KnitGraph& graph);         ///< Property 6
-Problems check_time_aligned(const KnitGraph& graph);            ///< Property 7, warnings only
+/// One function a property of the paper (3.2, "Knit Graph Properties"). Each violation is one
+/// Problem with code "property-N-..." that names its nodes.
 
-/// Relative length errors |length - wanted| / wanted of one kind of edge (Property 8).
+/// Property 1.
+Problems check_consistent_orientation(const KnitGraph& graph);
+/// Property 2: no cycle among the rows (one Problem a cycle, naming all its nodes), and rows
+/// listed in an order that the columns allow.
+Problems check_helix_free(const KnitGraph& graph);
+/// Property 3: at most two columns up and two down; and, so that no loop is left over and none
+/// comes from nowhere, the nodes of a row have columns up (down) either all or none.
+Problems check_node_degree(const KnitGraph& graph);
+/// Property 4: one column up and one down at the ends of short rows; and, what the paper draws
+/// from it, increases and decreases only between row-wise neighbours.
+Problems check_simple_short_rows(const KnitGraph& graph);
+/// Property 5, for any number of splits and merges as closed_row_links.h defines them. Requires
+/// Property 2.
+Problems check_simple_splits(const KnitGraph& graph);
+/// Property 6 (split_layout.h). Requires Properties 2 and 5.
+Problems check_feasible_splits(const KnitGraph& graph);
+/// Property 7, two warnings at most: columns that do not climb in time, and row edges that gain
+/// more time than an average column edge.
+Problems check_time_aligned(const KnitGraph& graph);
+
+/// Relative length errors |length - wanted| / wanted of one kind of edge (Property 8). The 95th
+/// percentile is the smallest error that at least 95 % of the edges do not exceed.
 struct LengthError {
   int edges = 0;
   double mean = 0.0;
@@ -37,7 +52,8 @@ struct KnitGraphStats {
 };
 KnitGraphStats measure_graph(const KnitGraph& graph);
 
-/// Form and Properties 1-7 together. `violations[k]` counts the errors of Property k+1, k = 0..5.
+/// Form and Properties 1-7 together. `violations[k]` counts the errors of Property k+1, k =
+/// 0..5. Checks that require an earlier one are left out when that one found something.
 struct KnitGraphCheck {
   Problems problems;
   std::array<int, 6> violations{};
