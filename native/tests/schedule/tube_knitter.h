@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,9 @@ class TubeKnitter {
   TubeKnitter& turn();
   /// Knits the last round: no stitch has children.
   StitchTrace end();
+
+  /// Loops that the next stacks hold together, in the current direction.
+  size_t height_ahead(int stacks) const;
 
   int loops() const { return static_cast<int>(ring_.size()); }
 
