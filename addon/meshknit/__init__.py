@@ -1,0 +1,23 @@
+"""meshknit: knits meshes on V-bed machines. Nothing here needs Blender until register() is called."""
+
+bl_info = {
+    "name": "Meshknit",
+    "author": "Meshknit developers",
+    "version": (0, 1, 0),
+    "blender": (3, 4, 0),
+    "location": "3D View > Sidebar > Knit",
+    "description": "Knit meshes on a knitting machine",
+    "category": "Mesh",
+}
+
+
+def register():
+    from . import registration
+
+    registration.register()
+
+
+def unregister():
+    from . import registration
+
+    registration.unregister()

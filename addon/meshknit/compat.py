@@ -1,0 +1,30 @@
+"""Differences between Blender 3.4 and 5.x, in one place."""
+
+
+def object_key(ob):
+    """Names an object for as long as Blender runs; before 4.2 its name has to do."""
+    return getattr(ob, "session_uid", None) or ob.name
+
+
+def draw_progress(layout, factor, text):
+    """A progress bar; a label before 4.1."""
+    if hasattr(layout, "progress"):
+        layout.progress(factor=factor, type="BAR", text=text)
+    else:
+        layout.label(text=f"{text} {factor:.0%}", icon="SORTTIME")
+
+
+def set_active_color(mesh, name):
+    """Makes a colour attribute the one that Solid and Vertex shading show."""
+    mesh.color_attributes.active_color = mesh.color_attributes[name]
+
+
+def set_text_size(size):
+    """blf.size() lost its dpi argument in 4.0."""
+    import blf
+    import bpy
+
+    if bpy.app.version < (4, 0, 0):
+        blf.size(0, size, 72)
+    else:
+        blf.size(0, size)

@@ -1,0 +1,1 @@
+"""What happens, without Blender: runs and is tested in plain Python."""

@@ -1,0 +1,72 @@
+"""The options of a headless run."""
+
+import argparse
+from pathlib import Path
+
+from ..names import STAGES
+from .errors import UsageError
+from .mesh_files import SUFFIXES
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message):
+        raise UsageError(message)
+
+
+def parse_options(arguments):
+    """Throws UsageError."""
+    options = _make_parser().parse_args(arguments)
+    if options.auto:
+        raise UsageError("--auto is not supported yet: give --marks, or store times on the object")
+    if options.kcode is not None:
+        raise UsageError("--kcode is not supported yet")
+    for name in ("scale", "size", "stitch_width", "stitch_height"):
+        value = getattr(options, name)
+        if value is not None and not 0.0 < value < float("inf"):
+            raise UsageError(f"--{name.replace('_', '-')} must be a length above 0")
+    if options.scale is not None and options.size is not None:
+        raise UsageError("give --scale or --size, not both")
+    if options.input is not None:
+        suffix = Path(options.input).suffix.lower()
+        if suffix not in SUFFIXES + (".blend",):
+            raise UsageError(f"--input must be one of {', '.join(SUFFIXES)}, .blend")
+    _require_outputs(options)
+    return options
+
+
+def _require_outputs(options):
+    needed = {"graph": "graph", "stitches": "trace", "output": "emit"}
+    for option, stage in needed.items():
+        wanted = getattr(options, option)
+        if wanted is not None and STAGES.index(options.until) < STAGES.index(stage):
+            raise UsageError(f"--{option} needs the stage {stage}, after --until {options.until}")
+    for option in ("output", "graph", "stitches", "report"):
+        wanted = getattr(options, option)
+        if wanted is not None and not Path(wanted).absolute().parent.is_dir():
+            raise UsageError(f"--{option}: the folder of {wanted} does not exist")
+
+
+def _make_parser():
+    parser = _Parser(
+        prog="blender --background [scene.blend] --python batch.py --",
+        description="From a mesh to a checked program for a knitting machine.",
+        allow_abbrev=False,
+    )
+    add = parser.add_argument
+    add("--input", metavar="FILE", help=".obj .ply .stl, or .blend; left out: the open scene")
+    add("--object", metavar="NAME", help="default: the active object, or the only mesh")
+    add("--scale", type=float, metavar="S", help="millimetres per unit of the file")
+    add("--size", type=float, metavar="MM", help="length of the finished object's longest side")
+    add("--marks", metavar="FILE", help="time constraints; default: those stored on the object")
+    add("--auto", action="store_true", help="choose openings and times without any marks")
+    add("--machine", metavar="NAME", default=None, help="a machine profile, or a profile file")
+    add("--stitch-width", type=float, metavar="MM", help="default 3.66")
+    add("--stitch-height", type=float, metavar="MM", help="default 1.73")
+    add("--output", metavar="FILE.k", help="knitout, written if the independent check passed")
+    add("--kcode", metavar="FILE.kc", help="Kniterate's own file")
+    add("--graph", metavar="FILE.json")
+    add("--stitches", metavar="FILE.json")
+    add("--report", metavar="FILE.json")
+    add("--until", choices=STAGES, default=STAGES[-1], help="stop after this stage")
+    add("--quiet", action="store_true", help="no progress on standard error")
+    return parser

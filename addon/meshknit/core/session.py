@@ -1,0 +1,46 @@
+"""The results that one object has, and whether they still belong to it."""
+
+from dataclasses import dataclass, field
+
+from ..names import STAGES
+
+
+@dataclass
+class Session:
+    """Results by stage. They are fresh while the keys of the object as it is now are theirs."""
+
+    results: dict = field(default_factory=dict)
+    keys: dict = field(default_factory=dict)  # of the object as last looked at
+    problems: list = field(default_factory=list)
+    report: dict = field(default_factory=dict)
+    message: str = ""
+    revision: int = 0  # grows with every change that a drawing must follow
+
+    def adopt(self, outcome, report):
+        """Takes over a run. A cancelled run leaves the session as it was."""
+        if outcome.status == "cancelled":
+            return
+        self.results.update(outcome.results)
+        self.problems = list(outcome.problems)
+        self.report = report
+        self.message = outcome.message
+        self.look_at(outcome.keys)
+        self.revision += 1
+
+    def look_at(self, keys):
+        """Says which keys the object has now."""
+        if keys != self.keys:
+            self.keys = dict(keys)
+            self.revision += 1
+
+    def value(self, stage):
+        """The stage's last result, fresh or not; None before its first run."""
+        result = self.results.get(stage)
+        return result.value if result else None
+
+    def is_fresh(self, stage):
+        result = self.results.get(stage)
+        return result is not None and result.key == self.keys.get(stage)
+
+    def stale_stages(self):
+        return [s for s in STAGES if s in self.results and not self.is_fresh(s)]

@@ -1,0 +1,183 @@
+"""The stages in order, each keyed by a digest of everything that it depends on.
+
+A stage whose key is already known is not run again; a changed input changes the keys of every later
+stage, so that no stale result is ever taken for a fresh one."""
+
+import time
+from dataclasses import dataclass, field
+
+from ..names import STAGES
+from .errors import UsageError
+from .machines import make_profile
+from .model import digest, named_for_user
+
+# Where each stage ends on the progress bar of a whole run.
+ENDS = {"check": 0.03, "time": 0.08, "graph": 0.5, "trace": 0.55, "schedule": 0.8, "emit": 1.0}
+
+
+@dataclass(frozen=True)
+class StageResult:
+    """What a stage returned: an object of the library, the problems it noted, its seconds."""
+
+    key: str
+    value: object
+    seconds: float
+    problems: tuple = ()
+
+
+@dataclass
+class Outcome:
+    """How a run ended: `done`, `failed` (the model's fault), `usage` (a wrong setting), `broken` (a
+    promise of ours) or `cancelled`. Results are those of every stage up to the end of the run."""
+
+    status: str
+    until: str
+    keys: dict
+    results: dict = field(default_factory=dict)
+    problems: list = field(default_factory=list)
+    message: str = ""
+    seconds: float = 0.0
+
+    @property
+    def ok(self):
+        return self.status == "done"
+
+
+class _Failed(Exception):
+    def __init__(self, problems):
+        super().__init__()
+        self.problems = problems
+
+
+def stage_keys(model, settings):
+    """The key of every stage's result for this model with these settings."""
+    check = digest("check", model.vertices, model.faces, settings.stitch_width)
+    marks = [(c.vertices, c.time) for c in model.constraints]
+    own = model.own_time if model.own_time is not None else marks
+    field_key = digest("time", check, own, model.openings)
+    graph = digest("graph", field_key, settings.stitch_width, settings.stitch_height)
+    trace = digest("trace", graph)
+    schedule = digest("schedule", trace, settings.machine)
+    emit = digest("emit", schedule)
+    return dict(zip(STAGES, (check, field_key, graph, trace, schedule, emit)))
+
+
+def run_stages(library, model, settings, until, context, known=None):
+    """Runs every stage up to `until` that `known` (stage -> StageResult) does not already hold.
+    Touches nothing but its arguments' own methods, so it may run in any thread. Never throws for
+    the model's faults, wrong settings or cancelling: the outcome says so."""
+    began = time.perf_counter()
+    outcome = Outcome("done", until, stage_keys(model, settings))
+    try:
+        for stage in STAGES[: STAGES.index(until) + 1]:
+            start = ENDS[STAGES[STAGES.index(stage) - 1]] if stage != STAGES[0] else 0.0
+            context.begin_stage(start / ENDS[until], ENDS[stage] / ENDS[until])
+            result = (known or {}).get(stage)
+            if result is None or result.key != outcome.keys[stage]:
+                result = _run_stage(library, stage, model, settings, outcome, context)
+            outcome.results[stage] = result
+            outcome.problems += result.problems
+            if stage == "check" and not result.value.ok:
+                raise _Failed([])
+    except _Failed as failure:
+        outcome.problems += failure.problems
+        outcome.status = "failed"
+        outcome.message = describe(outcome.problems)
+    except library.NotKnittable as error:
+        outcome.problems += [named_for_user(model, p) for p in error.problems]
+        outcome.status = "failed"
+        outcome.message = describe(outcome.problems) or str(error)
+    except library.Cancelled:
+        outcome.status, outcome.message = "cancelled", "cancelled"
+    except (library.InvalidInput, UsageError) as error:
+        outcome.status, outcome.message = "usage", str(error)
+    except library.BrokenPromise as error:
+        outcome.status = "broken"
+        outcome.message = (
+            f"{error} (a promise of meshknit broke: please report this with the model)"
+        )
+    outcome.seconds = time.perf_counter() - began
+    return outcome
+
+
+def describe(problems):
+    """One line for people: the first error's sentence and remedy."""
+    errors = [p for p in problems if p["severity"] == "error"]
+    if not errors:
+        return ""
+    text = f"{errors[0]['message']} {errors[0]['remedy']}".strip()
+    more = f" (and {len(errors) - 1} more)" if len(errors) > 1 else ""
+    return " ".join(text.split()) + more
+
+
+def _run_stage(library, stage, model, settings, outcome, context):
+    if context.cancelled:
+        raise library.Cancelled()
+    before = {name: result.value for name, result in outcome.results.items()}
+    began = time.perf_counter()
+    value, problems = _RUN[stage](library, model, settings, before, context)
+    seconds = time.perf_counter() - began
+    named = tuple(named_for_user(model, p) for p in problems)
+    return StageResult(outcome.keys[stage], value, seconds, named)
+
+
+def _check(library, model, settings, before, context):
+    surface = library.Surface(model.vertices, model.faces, settings.stitch_width)
+    return surface, surface.problems
+
+
+def _time(library, model, settings, before, context):
+    """-> (one time per vertex, the field's check)."""
+    surface = before["check"]
+    if model.openings:
+        raise _Failed([_openings_problem(model)])
+    if model.own_time is not None:
+        times, check = model.own_time, library.check_time_field(surface, model.own_time)
+        if any(p["severity"] == "error" for p in check["problems"]):
+            raise _Failed([named_for_user(model, p) for p in check["problems"]])
+    else:
+        chains = [(list(c.vertices), c.time) for c in model.constraints]
+        times, check = library.solve_time_field(surface, chains)
+    return (times, check), check["problems"]
+
+
+def _graph(library, model, settings, before, context):
+    graph = library.build_knit_graph(
+        before["check"], before["time"][0], settings.stitch_width, settings.stitch_height, context
+    )
+    return graph, graph.problems
+
+
+def _trace(library, model, settings, before, context):
+    return library.trace(before["graph"], context), ()
+
+
+def _schedule(library, model, settings, before, context):
+    profile = make_profile(library, settings.machine)
+    return library.schedule(before["trace"], profile, context), ()
+
+
+def _emit(library, model, settings, before, context):
+    profile = make_profile(library, settings.machine)
+    knitout = library.knitout(before["trace"], before["schedule"], profile, context)
+    return knitout, knitout.problems
+
+
+_RUN = {
+    "check": _check,
+    "time": _time,
+    "graph": _graph,
+    "trace": _trace,
+    "schedule": _schedule,
+    "emit": _emit,
+}
+
+
+def _openings_problem(model):
+    return {
+        "code": "openings-not-supported",
+        "severity": "error",
+        "message": f"{len(model.openings)} faces are marked as an opening, which is not supported yet.",
+        "remedy": "Delete these faces, or set their attribute knit_opening to 0.",
+        "elements": {"faces": list(model.openings)},
+    }

@@ -1,0 +1,152 @@
+"""What batch.py does, once the package is importable."""
+
+import sys
+import threading
+import traceback
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+import bpy
+
+from . import names, native, registration
+from .core.batch_options import parse_options
+from .core.errors import UsageError
+from .core.files import graph_text, report_text, stitches_text, write_whole
+from .core.machines import make_profile, read_machine
+from .core.marks import read_marks, resolve_marks
+from .core.mesh_files import read_mesh_file
+from .core.report import build_report
+from .core.workflow import run_stages
+from .scene.read_model import read_model
+from .scene.settings_io import read_settings
+from .scene.shapes import add_object, make_mesh
+
+STATUS = {"done": 0, "failed": 1, "usage": 2, "broken": 3}
+SECONDS_BETWEEN_LINES = 2.0
+
+
+def main(arguments):
+    """-> the exit status, after one line on standard error for any but 0."""
+    try:
+        if not hasattr(bpy.types.Mesh, names.PROPERTIES):
+            registration.register()
+        options = parse_options(arguments)
+        outcome, _ = run(options)
+    except SystemExit:  # --help
+        return 0
+    except (UsageError, native.NativeMissing) as error:
+        say(str(error))
+        return STATUS["usage"]
+    except Exception as error:  # our own fault, so with all that helps to find it
+        traceback.print_exc()
+        say(f"a promise of meshknit broke, please report this: {error}")
+        return STATUS["broken"]
+    if not outcome.ok:
+        say(outcome.message)
+    return STATUS[outcome.status]
+
+
+def say(text):
+    print("meshknit: " + " ".join(str(text).split()), file=sys.stderr, flush=True)
+
+
+def run(options):
+    """Runs the stages and writes the files. -> (outcome, report). Throws UsageError."""
+    library = native.load()
+    marks = read_marks(options.marks) if options.marks else None
+    ob = _find_object(options)
+    context = bpy.context
+    context.view_layer.update()
+    depsgraph = context.evaluated_depsgraph_get()
+    model = read_model(ob, depsgraph, context.scene, options.scale, options.size)
+    settings = _settings(options, context.scene)
+    make_profile(library, settings.machine)  # a wrong profile file is found before the work
+    with _progress(library, options.quiet) as run_context:
+        known = {}
+        if marks is not None:
+            model = replace(model, constraints=(), own_time=None)
+            first = run_stages(library, model, settings, "check", run_context)
+            if first.ok:
+                surface = first.results["check"].value
+                model = replace(model, constraints=resolve_marks(marks, surface, model.scale))
+            known = first.results
+        outcome = run_stages(library, model, settings, options.until, run_context, known)
+    report = build_report(library, model, settings, outcome)
+    _write_files(options, outcome, report)
+    return outcome, report
+
+
+def _settings(options, scene):
+    """What the scene says, unless an option says otherwise."""
+    settings = read_settings(scene)
+    if options.machine is not None:
+        settings = replace(settings, machine=read_machine(options.machine))
+    if options.stitch_width is not None:
+        settings = replace(settings, stitch_width=options.stitch_width)
+    if options.stitch_height is not None:
+        settings = replace(settings, stitch_height=options.stitch_height)
+    return settings
+
+
+def _find_object(options):
+    if options.input is not None and Path(options.input).suffix.lower() != ".blend":
+        if options.object is not None:
+            raise UsageError("--object goes with a .blend file or the open scene")
+        vertices, polygons = read_mesh_file(options.input)
+        mesh = make_mesh(Path(options.input).stem, vertices, polygons)
+        return add_object(bpy.context, mesh)
+    if options.input is not None:
+        try:
+            bpy.ops.wm.open_mainfile(filepath=str(Path(options.input).absolute()))
+        except RuntimeError as error:
+            raise UsageError(f"cannot read {options.input}: {error}") from error
+    return _object_of_scene(options.object)
+
+
+def _object_of_scene(name):
+    scene = bpy.context.scene
+    meshes = [ob for ob in scene.objects if ob.type == "MESH"]
+    if name is not None:
+        ob = scene.objects.get(name)
+        if ob not in meshes:
+            known = ", ".join(ob.name for ob in meshes) or "none"
+            raise UsageError(f"the scene has no mesh object {name}; it has: {known}")
+        return ob
+    active = bpy.context.view_layer.objects.active
+    if active in meshes:
+        return active
+    if len(meshes) != 1:
+        raise UsageError(f"the scene has {len(meshes)} meshes: choose one with --object")
+    return meshes[0]
+
+
+def _write_files(options, outcome, report):
+    """Whatever the run got to; the machine file only if its check passed, which `emit` says."""
+    values = {stage: result.value for stage, result in outcome.results.items()}
+    files = (
+        (options.graph, "graph", lambda: graph_text(values["graph"])),
+        (options.stitches, "trace", lambda: stitches_text(values["trace"])),
+        (options.output, "emit", lambda: values["emit"].text),
+        (options.report, None, lambda: report_text(report)),
+    )
+    for path, stage, text in files:
+        if path is not None and (stage is None or stage in values):
+            write_whole(path, text())
+
+
+@contextmanager
+def _progress(library, quiet):
+    """A RunContext whose progress is told on standard error from time to time."""
+    run_context, over = library.RunContext(), threading.Event()
+
+    def tell():
+        while not over.wait(SECONDS_BETWEEN_LINES):
+            say(f"{run_context.progress:.0%}")
+
+    if not quiet:
+        threading.Thread(target=tell, daemon=True).start()
+    try:
+        yield run_context
+    finally:
+        over.set()

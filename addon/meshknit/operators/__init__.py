@@ -1,0 +1,45 @@
+"""One operator a file. Each has a full execute(); stages run in a thread when a person starts them."""
+
+import bpy
+
+from . import (
+    add_boundary_constraint,
+    add_shapes,
+    add_time_constraint,
+    build_graph,
+    cancel,
+    check_mesh,
+    remove_constraint,
+    schedule,
+    select_constraint,
+    select_problem,
+    solve_time,
+    write_knitout,
+)
+
+MODULES = (
+    check_mesh,
+    add_boundary_constraint,
+    add_time_constraint,
+    remove_constraint,
+    select_constraint,
+    solve_time,
+    build_graph,
+    schedule,
+    write_knitout,
+    cancel,
+    select_problem,
+    add_shapes,
+)
+
+
+def register():
+    for module in MODULES:
+        for cls in module.CLASSES:
+            bpy.utils.register_class(cls)
+
+
+def unregister():
+    for module in reversed(MODULES):
+        for cls in reversed(module.CLASSES):
+            bpy.utils.unregister_class(cls)

@@ -1,0 +1,52 @@
+"""Select what a problem is about."""
+
+import bpy
+from bpy.props import IntProperty
+
+from .. import names
+from ..scene import sessions
+from ..scene.select_elements import nearest_vertices, select_elements
+from .stage_base import poll_mesh
+
+
+class MESHKNIT_OT_select_problem(bpy.types.Operator):
+    """Select the vertices, edges, faces or boundaries that this problem is about"""
+
+    bl_idname = names.OP_SELECT_PROBLEM
+    bl_label = "Select Problem"
+    bl_options = {"REGISTER", "UNDO"}
+
+    index: IntProperty(name="Index", min=0)
+
+    @classmethod
+    def poll(cls, context):
+        return poll_mesh(cls, context)
+
+    def execute(self, context):
+        ob = context.object
+        session = sessions.session_of(ob)
+        if self.index >= len(session.problems):
+            self.report({"ERROR"}, f"There is no problem {self.index}")
+            return {"CANCELLED"}
+        elements = session.problems[self.index]["elements"]
+        vertices = list(elements.get("vertices", ()))
+        surface, graph = session.value("check"), session.value("graph")
+        if surface is not None:
+            loops = surface.boundaries
+            for boundary in elements.get("boundaries", ()):
+                vertices += [int(v) for v in loops[boundary]["vertices"]]
+        nodes = list(elements.get("nodes", ()))
+        if session.value("trace") is not None:
+            nodes += session.value("trace").nodes[list(elements.get("stitches", ()))].tolist()
+        if graph is not None and nodes:
+            model, _ = sessions.read_inputs(context, ob)
+            vertices += nearest_vertices(model.vertices, graph.nodes[nodes, :3])
+        found = select_elements(
+            context, ob, vertices, elements.get("edges", ()), elements.get("faces", ())
+        )
+        if not found:
+            self.report({"WARNING"}, "This problem names no part of the mesh as it is now")
+        return {"FINISHED"}
+
+
+CLASSES = (MESHKNIT_OT_select_problem,)

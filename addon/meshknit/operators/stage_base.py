@@ -1,0 +1,132 @@
+"""What the operators of all stages share: execute() runs to the end, invoke() in a thread."""
+
+import bpy
+
+from .. import native
+from ..core.errors import UsageError
+from ..core.job import Job
+from ..core.report import build_report
+from ..core.workflow import run_stages
+from ..scene import sessions
+from ..scene.edit_mode import object_mode
+from ..scene.time_attribute import publish_time
+
+POLL_SECONDS = 0.1
+
+
+def poll_mesh(cls, context):
+    """True if the active object is a mesh and nothing runs; says why not where Blender can."""
+    if context.object is None or context.object.type != "MESH":
+        cls.poll_message_set("Choose a mesh object")
+        return False
+    if sessions.job() is not None:
+        cls.poll_message_set("A step is running; Esc cancels it")
+        return False
+    return True
+
+
+class StageOperator:
+    """Mixin. Subclasses set `until`, the stage that they run to; earlier ones run if missing or stale."""
+
+    bl_options = {"REGISTER", "UNDO"}
+    until = ""
+
+    @classmethod
+    def poll(cls, context):
+        return poll_mesh(cls, context)
+
+    def execute(self, context):
+        work = self._prepare(context)
+        if work is None:
+            return {"CANCELLED"}
+        return self._finish(context, work(native.load().RunContext()))
+
+    def invoke(self, context, event):
+        if bpy.app.background:
+            return self.execute(context)
+        work = self._prepare(context)
+        if work is None:
+            return {"CANCELLED"}
+        self._job = Job(work, native.load().RunContext())
+        sessions.set_job(self._job)
+        manager = context.window_manager
+        manager.progress_begin(0, 100)
+        self._timer = manager.event_timer_add(POLL_SECONDS, window=context.window)
+        manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type == "ESC" and event.value == "PRESS":
+            self._job.cancel()
+            return {"RUNNING_MODAL"}
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        if self._job.running:
+            context.window_manager.progress_update(int(100 * self._job.progress))
+            context.workspace.status_text_set(
+                f"{self.bl_label}: {self._job.progress:.0%}   |   Esc: cancel"
+            )
+            sessions.redraw(context)
+            return {"PASS_THROUGH"}
+        self._end_job(context)
+        if self._job.error:
+            self.report({"ERROR"}, f"Please report this: {self._job.error}")
+            return {"CANCELLED"}
+        return self._finish(context, self._job.value)
+
+    def cancel(self, context):
+        """Blender closes, or loads another file, while the job runs."""
+        self._job.cancel()
+        self._job.wait()
+        self._end_job(context)
+
+    def _end_job(self, context):
+        sessions.set_job(None)
+        context.window_manager.event_timer_remove(self._timer)
+        context.window_manager.progress_end()
+        context.workspace.status_text_set(None)
+        sessions.redraw(context)
+
+    def _prepare(self, context):
+        """Reads all that the run needs. -> a function of a RunContext that returns the outcome,
+        or None after saying why not."""
+        ob = context.object
+        try:
+            library = native.load()
+            self._model, self._settings = sessions.read_inputs(context, ob)
+        except (native.NativeMissing, UsageError) as error:
+            self.report({"ERROR"}, str(error))
+            return None
+        self._object = ob.name
+        model, settings, until = self._model, self._settings, self.until
+        known = dict(sessions.session_of(ob).results)
+        return lambda run: run_stages(library, model, settings, until, run, known)
+
+    def _finish(self, context, outcome):
+        """Publishes the outcome; on the main thread."""
+        if outcome.status == "cancelled":
+            self.report({"INFO"}, "Cancelled; the earlier results stay")
+            return {"CANCELLED"}
+        ob = context.scene.objects.get(self._object)
+        if ob is None:
+            self.report({"WARNING"}, f"{self._object} is gone; its result is dropped")
+            return {"CANCELLED"}
+        report = build_report(native.load(), self._model, self._settings, outcome)
+        sessions.session_of(ob).adopt(outcome, report)
+        with object_mode(ob):
+            if "time" in outcome.results and self._model.own_time is None:
+                publish_time(ob, self._model, outcome.results["time"].value[0])
+        sessions.touch(ob)
+        if not outcome.ok:
+            self.report({"ERROR"}, outcome.message)
+            return {"CANCELLED"}
+        return self.published(context, ob, outcome, report)
+
+    def published(self, context, ob, outcome, report):
+        """What the stage does with its result beyond showing it."""
+        self.report({"INFO"}, self.good_news(report))
+        return {"FINISHED"}
+
+    def good_news(self, report):
+        """One line for people."""
+        raise NotImplementedError

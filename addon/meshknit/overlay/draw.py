@@ -1,0 +1,147 @@
+"""Draws the overlay into the 3D views. Touches the GPU in the GUI only."""
+
+import bpy
+
+from .. import compat, names
+from ..scene import sessions
+from ..scene.read_overlay import read_time_surface
+from . import overlay_data
+
+LIFT = 0.35  # lines lie this many stitch heights nearer to the viewer than the surface
+LEGEND_LEFT, LEGEND_BOTTOM, LEGEND_STEP, LEGEND_SIZE = 18, 18, 18, 12
+
+_handles = []
+_batches = {}  # what -> (signature, batch or None)
+
+
+def _draw_view():
+    ob, shown = _active()
+    if ob is None:
+        return
+    import gpu
+
+    session = sessions.known_session(ob)
+    unit = _unit(session, shown)
+    gpu.state.blend_set("ALPHA")
+    gpu.state.depth_test_set("LESS_EQUAL")
+    if shown.show_time and ob.mode == "OBJECT":
+        _draw_batch(_time_batch(ob, session), 0.3 * LIFT * unit, ob.matrix_world)
+    if shown.show_graph and session is not None and session.value("graph") is not None:
+        _draw_batch(_graph_batch(ob, session), LIFT * unit)
+    gpu.state.depth_test_set("NONE")
+    gpu.state.blend_set("NONE")
+
+
+def _draw_batch(batch, lift, matrix=None):
+    """Moves the drawing towards the viewer by `lift` scene units, so that the surface does not
+    hide what lies on it."""
+    if batch is None:
+        return
+    import gpu
+    from mathutils import Matrix
+
+    shader = gpu.shader.from_builtin("SMOOTH_COLOR")
+    with gpu.matrix.push_pop():
+        view = gpu.matrix.get_model_view_matrix()
+        gpu.matrix.load_matrix(Matrix.Translation((0.0, 0.0, lift)) @ view)
+        if matrix is not None:
+            gpu.matrix.multiply_matrix(matrix)
+        batch.draw(shader)
+
+
+def _time_batch(ob, session):
+    stale = session is not None and bool(session.results) and not session.is_fresh("time")
+    signature = (compat.object_key(ob), sessions.mesh_revision(ob), stale)
+
+    def make():
+        surface = read_time_surface(ob)
+        if surface is None:
+            return None
+        triangles = overlay_data.time_triangles(*surface, stale)
+        content = {"pos": triangles.points, "color": triangles.colors}
+        return _new_batch("TRIS", content, triangles.indices)
+
+    return _cached("time", signature, make)
+
+
+def _graph_batch(ob, session):
+    stale = not session.is_fresh("graph")
+    signature = (compat.object_key(ob), session.revision, stale)
+
+    def make():
+        scale = session.report["mesh"]["scale"]
+        lines = overlay_data.graph_lines(session.value("graph"), scale, stale)
+        return _new_batch("LINES", {"pos": lines.points, "color": lines.colors})
+
+    return _cached("graph", signature, make)
+
+
+def _cached(what, signature, make):
+    held = _batches.get(what)
+    if held is None or held[0] != signature:
+        held = _batches[what] = (signature, make())
+    return held[1]
+
+
+def _new_batch(kind, content, indices=None):
+    import gpu
+    from gpu_extras.batch import batch_for_shader
+
+    shader = gpu.shader.from_builtin("SMOOTH_COLOR")
+    return batch_for_shader(shader, kind, content, indices=indices)
+
+
+def _draw_legend():
+    ob, shown = _active()
+    session = sessions.known_session(ob)
+    if session is None or session.value("graph") is None or not shown.show_graph:
+        return
+    import blf
+
+    fresh = session.is_fresh("graph")
+    entries = overlay_data.LEGEND if fresh else (("column", "Knit graph of an earlier state"),)
+    left = LEGEND_LEFT + _width_of_toolbar()
+    for line, (kind, text) in enumerate(reversed(entries)):
+        blf.position(0, left, LEGEND_BOTTOM + line * LEGEND_STEP, 0)
+        compat.set_text_size(LEGEND_SIZE)
+        blf.color(0, *overlay_data.COLORS[kind], 1.0)
+        blf.draw(0, "\u2014\u2014  ")
+        blf.position(0, left + 3 * LEGEND_SIZE, LEGEND_BOTTOM + line * LEGEND_STEP, 0)
+        blf.color(0, 1.0, 1.0, 1.0, 1.0)
+        blf.draw(0, text)
+
+
+def _width_of_toolbar():
+    return next((r.width for r in bpy.context.area.regions if r.type == "TOOLS"), 0)
+
+
+def _active():
+    """-> (active mesh object or None, the scene's properties); None where overlays are off."""
+    context = bpy.context
+    shown = getattr(context.scene, names.PROPERTIES)
+    ob = context.object
+    visible = context.space_data.overlay.show_overlays
+    if ob is None or ob.type != "MESH" or not visible or not ob.visible_get():
+        return None, shown
+    return ob, shown
+
+
+def _unit(session, shown):
+    """A stitch height in scene units."""
+    scale = session.report["mesh"]["scale"] if session and "mesh" in session.report else 1000.0
+    return shown.stitch_height / scale
+
+
+def register():
+    if bpy.app.background:
+        return
+    view = bpy.types.SpaceView3D
+    _handles.append(view.draw_handler_add(_draw_view, (), "WINDOW", "POST_VIEW"))
+    _handles.append(view.draw_handler_add(_draw_legend, (), "WINDOW", "POST_PIXEL"))
+
+
+def unregister():
+    for handle in _handles:
+        bpy.types.SpaceView3D.draw_handler_remove(handle, "WINDOW")
+    _handles.clear()
+    _batches.clear()

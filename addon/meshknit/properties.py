@@ -1,0 +1,143 @@
+"""What is stored in the scene (gauge, machine, display) and on a mesh (constraints, size)."""
+
+import bpy
+from bpy.props import (
+    BoolProperty,
+    CollectionProperty,
+    EnumProperty,
+    FloatProperty,
+    IntProperty,
+    PointerProperty,
+    StringProperty,
+)
+
+from . import names
+from .core.settings import Settings
+from .scene import sessions
+
+DEFAULTS = Settings()
+
+
+def _touched(_, context):
+    sessions.touch_active(context)
+
+
+def _shown(_, context):
+    sessions.redraw(context)
+
+
+class MESHKNIT_PG_constraint(bpy.types.PropertyGroup):
+    """An entry of the constraint list. Its edges are those whose knit_constraint names it."""
+
+    time: FloatProperty(
+        name="Time",
+        description="When these edges are knit: -1 is first, 1 is last",
+        min=-1.0,
+        max=1.0,
+        step=10,
+        precision=3,
+        update=_touched,
+    )
+
+
+class MESHKNIT_PG_mesh(bpy.types.PropertyGroup):
+    constraints: CollectionProperty(type=MESHKNIT_PG_constraint)
+    active: IntProperty(name="Active constraint", options={"HIDDEN"})
+    time_source: EnumProperty(
+        name="Time from",
+        description="Where the knitting time of each vertex comes from",
+        items=names.TIME_SOURCES,
+        update=_touched,
+    )
+    size_mode: EnumProperty(
+        name="Size from",
+        description="How large the knitted object becomes",
+        items=names.SIZE_MODES,
+        update=_touched,
+    )
+    scale: FloatProperty(
+        name="mm per unit",
+        description="Millimetres that one Blender unit becomes",
+        default=1000.0,
+        min=1e-6,
+        soft_max=10000.0,
+        precision=3,
+        update=_touched,
+    )
+    size: FloatProperty(
+        name="Longest side (mm)",
+        description="Length of the finished object's longest side, in millimetres",
+        default=300.0,
+        min=1e-3,
+        soft_max=2000.0,
+        precision=1,
+        update=_touched,
+    )
+
+
+class MESHKNIT_PG_scene(bpy.types.PropertyGroup):
+    stitch_width: FloatProperty(
+        name="Stitch width (mm)",
+        description="Distance between two wales of the relaxed fabric",
+        default=DEFAULTS.stitch_width,
+        min=0.1,
+        soft_max=20.0,
+        precision=2,
+        update=_touched,
+    )
+    stitch_height: FloatProperty(
+        name="Stitch height (mm)",
+        description="Distance between two courses of the relaxed fabric",
+        default=DEFAULTS.stitch_height,
+        min=0.1,
+        soft_max=20.0,
+        precision=2,
+        update=_touched,
+    )
+    machine: EnumProperty(
+        name="Machine",
+        description="The machine that the program is for",
+        items=names.MACHINES,
+        update=_touched,
+    )
+    machine_file: StringProperty(
+        name="Profile file",
+        description="A JSON file with a machine of your own, used instead of the one above",
+        subtype="FILE_PATH",
+        update=_touched,
+    )
+    output: StringProperty(
+        name="Machine file",
+        description="Where Write puts the knitout program",
+        default="",
+        subtype="FILE_PATH",
+    )
+    show_time: BoolProperty(
+        name="Time colours",
+        description="Show the time field: blue is knit early, red late",
+        default=True,
+        update=_shown,
+    )
+    show_graph: BoolProperty(
+        name="Knit graph",
+        description="Show rows and columns, short rows, increases and decreases",
+        default=True,
+        update=_shown,
+    )
+
+
+CLASSES = (MESHKNIT_PG_constraint, MESHKNIT_PG_mesh, MESHKNIT_PG_scene)
+
+
+def register():
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    setattr(bpy.types.Mesh, names.PROPERTIES, PointerProperty(type=MESHKNIT_PG_mesh))
+    setattr(bpy.types.Scene, names.PROPERTIES, PointerProperty(type=MESHKNIT_PG_scene))
+
+
+def unregister():
+    delattr(bpy.types.Scene, names.PROPERTIES)
+    delattr(bpy.types.Mesh, names.PROPERTIES)
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,16 @@
+"""The add-on's modules in the order in which they register."""
+
+from . import operators, overlay, properties, ui
+from .scene import sessions
+
+MODULES = (properties, sessions, operators, overlay, ui)
+
+
+def register():
+    for module in MODULES:
+        module.register()
+
+
+def unregister():
+    for module in reversed(MODULES):
+        module.unregister()

@@ -1,0 +1,20 @@
+"""The time field of an object as it is shown."""
+
+import numpy as np
+
+from .. import names
+from ..core.colors import time_colors
+from .attributes import positions, read_attribute
+
+
+def read_time_surface(ob):
+    """-> (positions, linear colours, triangles) in the object's own space, or None without a
+    field. Requires Object Mode."""
+    mesh = ob.data
+    times = read_attribute(mesh, names.TIME, "FLOAT", "POINT")
+    if times is None or not len(times):
+        return None
+    mesh.calc_loop_triangles()
+    triangles = np.empty(3 * len(mesh.loop_triangles), np.int32)
+    mesh.loop_triangles.foreach_get("vertices", triangles)
+    return positions(mesh), time_colors(times), triangles.reshape(-1, 3)

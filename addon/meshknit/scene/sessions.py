@@ -1,0 +1,151 @@
+"""The sessions of the objects of this Blender, and the one job that may run.
+
+Results live in memory only. What must survive saving and undo (constraints, times) is on the mesh."""
+
+import bpy
+from bpy.app.handlers import persistent
+
+from .. import compat, names
+from ..core.errors import UsageError
+from ..core.session import Session
+from ..core.workflow import stage_keys
+from .edit_mode import object_mode
+from .read_model import read_model
+from .settings_io import read_settings
+
+SECONDS_OF_REST = 0.4  # how long nothing may change before an object is looked at again
+
+_sessions = {}
+_touched = set()
+_revisions = {}  # of every object's mesh, for drawing
+_job = None
+
+
+def session_of(ob):
+    """The object's session; made when first asked for."""
+    return _sessions.setdefault(compat.object_key(ob), Session())
+
+
+def known_session(ob):
+    """The object's session, or None if it has none yet. For drawing."""
+    return _sessions.get(compat.object_key(ob)) if ob is not None else None
+
+
+def job():
+    """The running job or None."""
+    return _job
+
+
+def set_job(running):
+    global _job
+    _job = running
+
+
+def read_inputs(context, ob):
+    """-> (model, settings) of the active object. Throws UsageError."""
+    with object_mode(ob):
+        context.view_layer.update()
+        model = read_model(ob, context.evaluated_depsgraph_get(), context.scene)
+    return model, read_settings(context.scene)
+
+
+def look_again(context, ob):
+    """Compares the object with its results, so that stale ones are shown as such."""
+    _touched.discard(compat.object_key(ob))
+    session = known_session(ob)
+    if session is None or not session.results:
+        return
+    try:
+        session.look_at(stage_keys(*read_inputs(context, ob)))
+    except UsageError as error:
+        session.look_at({})
+        session.message = str(error)
+
+
+def mesh_revision(ob):
+    """A number that grows with every change of the object's mesh. For drawing."""
+    return _revisions.get(compat.object_key(ob), 0)
+
+
+def touch(ob):
+    """Says that an object may have changed. In the GUI it is looked at again after a moment."""
+    _revisions[compat.object_key(ob)] = mesh_revision(ob) + 1
+    session = known_session(ob)
+    if session is None or not session.results:
+        return
+    _touched.add(compat.object_key(ob))
+    if not bpy.app.background:
+        if bpy.app.timers.is_registered(_look_at_touched):
+            bpy.app.timers.unregister(_look_at_touched)
+        bpy.app.timers.register(_look_at_touched, first_interval=SECONDS_OF_REST)
+
+
+def touch_active(context):
+    """For properties of scene and mesh."""
+    if context.object is not None and context.object.type == "MESH":
+        touch(context.object)
+
+
+def _look_at_touched():
+    context = bpy.context
+    ob = context.object
+    # In Edit Mode attributes cannot be read: the look is taken after leaving it.
+    if ob is not None and ob.type == "MESH" and compat.object_key(ob) in _touched:
+        if ob.mode == "EDIT" or _job is not None:
+            return SECONDS_OF_REST
+        look_again(context, ob)
+        redraw(context)
+    return None
+
+
+def redraw(context):
+    """Redraws the 3D views of all windows."""
+    for window in context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "VIEW_3D":
+                area.tag_redraw()
+
+
+@persistent
+def _after_load(_):
+    _sessions.clear()
+    _touched.clear()
+    # Not back to 0: a drawing of the file before must not pass for one of this file.
+    for key in _revisions:
+        _revisions[key] += 1
+
+
+@persistent
+def _after_undo(_scene, _depsgraph=None):
+    if bpy.context.object is not None:
+        touch(bpy.context.object)
+
+
+@persistent
+def _after_change(scene, depsgraph):
+    for update in depsgraph.updates:
+        if update.is_updated_geometry or update.is_updated_transform:
+            ob = update.id.original
+            if isinstance(ob, bpy.types.Object) and ob.type == "MESH":
+                touch(ob)
+
+
+_HANDLERS = (
+    ("load_post", _after_load),
+    ("undo_post", _after_undo),
+    ("redo_post", _after_undo),
+    ("depsgraph_update_post", _after_change),
+)
+
+
+def register():
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).append(handler)
+
+
+def unregister():
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).remove(handler)
+    if bpy.app.timers.is_registered(_look_at_touched):
+        bpy.app.timers.unregister(_look_at_touched)
+    _after_load(None)

@@ -1,0 +1,126 @@
+"""The sidebar's Knit tab: size and gauge, constraints, steps."""
+
+import bpy
+
+from .. import compat, names, native
+from ..scene import sessions
+
+
+class KnitPanel:
+    """Mixin: a panel of the tab."""
+
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = names.SIDEBAR
+
+    @classmethod
+    def poll(cls, context):
+        return context.object is not None and context.object.type == "MESH"
+
+
+class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
+    bl_idname = names.PANEL
+    bl_label = "Knit"
+
+    @classmethod
+    def poll(cls, context):
+        return True
+
+    def draw(self, context):
+        layout = self.layout
+        missing = native.why_missing()
+        if missing:
+            box = layout.box()
+            box.label(text="The compiled part is missing.", icon="ERROR")
+            box.label(text="Run `make build`, then restart Blender.")
+            return
+        if not KnitPanel.poll(context):
+            layout.label(text="Choose a mesh object, or add one:")
+            layout.menu(names.MENU_SHAPES, text="Add a Knit Shape", icon="MATCLOTH")
+            return
+        job = sessions.job()
+        if job is not None:
+            compat.draw_progress(layout, job.progress, "Working")
+            layout.operator(names.OP_CANCEL, icon="CANCEL")
+        column = layout.column(align=True)
+        column.scale_y = 1.2
+        column.operator(names.OP_CHECK, icon="CHECKMARK")
+        column.operator(names.OP_SOLVE_TIME, icon="TIME")
+        column.operator(names.OP_BUILD_GRAPH, icon="MESH_GRID")
+        column.operator(names.OP_SCHEDULE, icon="MOD_ARRAY")
+        column.operator(names.OP_WRITE, icon="EXPORT")
+        layout.prop(getattr(context.scene, names.PROPERTIES), "output", text="")
+
+
+class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
+    bl_idname = "MESHKNIT_PT_setup"
+    bl_label = "Size and Gauge"
+    bl_parent_id = names.PANEL
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        scene = getattr(context.scene, names.PROPERTIES)
+        mesh = getattr(context.object.data, names.PROPERTIES)
+        layout.prop(mesh, "size_mode")
+        longest = max(context.object.dimensions)
+        if mesh.size_mode == "SIZE":
+            layout.prop(mesh, "size")
+            if longest > 0.0:
+                layout.label(text=f"Scale: {mesh.size / longest:.4g} mm per unit")
+        else:
+            if mesh.size_mode == "SCALE":
+                layout.prop(mesh, "scale")
+                scale = mesh.scale
+            else:
+                scale = 1000.0 * context.scene.unit_settings.scale_length
+                layout.label(text=f"Scale: {scale:.4g} mm per unit")
+            layout.label(text=f"Longest side: {longest * scale:.0f} mm")
+        column = layout.column(align=True)
+        column.prop(scene, "stitch_width")
+        column.prop(scene, "stitch_height")
+        layout.prop(scene, "machine")
+        layout.prop(scene, "machine_file")
+
+
+class MESHKNIT_UL_constraints(bpy.types.UIList):
+    bl_idname = names.LIST_CONSTRAINTS
+
+    def draw_item(self, context, layout, data, item, icon, active_data, active_name, index=0):
+        row = layout.row(align=True)
+        row.prop(item, "name", text="", emboss=False)
+        row.prop(item, "time", text="")
+        row.operator(
+            names.OP_SELECT_CONSTRAINT, text="", icon="RESTRICT_SELECT_OFF", emboss=False
+        ).index = index
+
+
+class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
+    bl_idname = "MESHKNIT_PT_constraints"
+    bl_label = "Time"
+    bl_parent_id = names.PANEL
+
+    def draw(self, context):
+        layout = self.layout
+        mesh = getattr(context.object.data, names.PROPERTIES)
+        layout.prop(mesh, "time_source", text="From")
+        if mesh.time_source == "ATTRIBUTE":
+            return
+        row = layout.row()
+        row.template_list(names.LIST_CONSTRAINTS, "", mesh, "constraints", mesh, "active", rows=3)
+        row.operator(names.OP_REMOVE_CONSTRAINT, text="", icon="REMOVE").index = -1
+        column = layout.column(align=True)
+        column.operator(names.OP_ADD_BOUNDARY, icon="ADD")
+        if context.object.mode == "EDIT":
+            column.operator(names.OP_ADD_CONSTRAINT, icon="ADD")
+        else:
+            column.label(text="Edit Mode: add from selected edges")
+
+
+CLASSES = (
+    MESHKNIT_PT_knit,
+    MESHKNIT_PT_setup,
+    MESHKNIT_UL_constraints,
+    MESHKNIT_PT_constraints,
+)

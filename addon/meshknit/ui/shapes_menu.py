@@ -1,0 +1,24 @@
+"""Add > Mesh > Knit."""
+
+import bpy
+
+from .. import names
+
+
+class MESHKNIT_MT_shapes(bpy.types.Menu):
+    bl_idname = names.MENU_SHAPES
+    bl_label = "Knit"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator(names.OP_ADD_TUBE, icon="MESH_CYLINDER")
+        layout.operator(names.OP_ADD_CONE, icon="MESH_CONE")
+        layout.operator(names.OP_ADD_BENT_TUBE, icon="MOD_SIMPLEDEFORM")
+        layout.operator(names.OP_ADD_SOCK, icon="MATCLOTH")
+
+
+def draw_entry(self, context):
+    self.layout.menu(names.MENU_SHAPES, icon="MATCLOTH")
+
+
+CLASSES = (MESHKNIT_MT_shapes,)
