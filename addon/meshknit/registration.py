@@ -1,9 +1,10 @@
 """The add-on's modules in the order in which they register."""
 
-from . import operators, overlay, properties, ui
+from . import operators, properties, ui
+from .overlay import draw
 from .scene import sessions
 
-MODULES = (properties, sessions, operators, overlay, ui)
+MODULES = (properties, sessions, operators, draw, ui)
 
 
 def register():

@@ -10,20 +10,25 @@ from .errors import UsageError
 
 def write_whole(path, text):
     """Writes UTF-8 text to a temporary file beside `path` and renames it. Throws UsageError."""
-    path = Path(path)
+    path, data = Path(path), text.encode("utf-8")
     temporary = None
     try:
-        handle, temporary = tempfile.mkstemp(dir=path.parent or ".", prefix=f".{path.name}.")
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        umask = os.umask(0)
-        os.umask(umask)
-        os.chmod(temporary, 0o666 & ~umask)
+        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+        os.chmod(temporary, 0o666 & ~_umask())
         os.replace(temporary, path)
     except OSError as error:
         if temporary and os.path.exists(temporary):
             os.unlink(temporary)
         raise UsageError(f"cannot write {path}: {error.strerror}") from error
+
+
+def _umask():
+    """What new files are not allowed; the system tells only while changing it."""
+    mask = os.umask(0o077)
+    os.umask(mask)
+    return mask
 
 
 def graph_text(graph):

@@ -1,11 +1,1 @@
-"""What is drawn over the mesh: time colours, knit graph, legend."""
-
-from . import draw
-
-
-def register():
-    draw.register()
-
-
-def unregister():
-    draw.unregister()
+"""What is drawn over the mesh: time colours, knit graph, legend. overlay_data needs no Blender."""

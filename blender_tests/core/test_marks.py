@@ -1,0 +1,73 @@
+"""Marks files."""
+
+import json
+
+import pytest
+
+import meshes
+from meshknit.core.errors import UsageError
+from meshknit.core.marks import parse_marks, read_marks, resolve_marks
+
+GOOD = meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 1)))
+
+
+class TubeSurface:
+    """Stands for a surface with two boundaries: vertices 0-3 at z = 0 and 4-7 at z = 60."""
+
+    boundaries = [{"vertices": [0, 1, 2, 3]}, {"vertices": [4, 5, 6, 7]}]
+
+    def nearest_boundary(self, point):
+        return 0 if point[2] < 30.0 else 1
+
+    def nearest_vertex(self, point):
+        return int(point[0])
+
+    def edge_path(self, vertices, closed):
+        return list(vertices) + ([99] if closed else [])
+
+
+def test_points_are_in_the_files_own_units_unless_told():
+    in_metres = meshes.marks((-1.0, (0, 0, 0.01)), (1.0, (0, 0, 0.05)))
+    constraints = resolve_marks(parse_marks(in_metres), TubeSurface(), scale=1000.0)
+    assert [c.vertices for c in constraints] == [(0, 1, 2, 3), (4, 5, 6, 7)]
+    in_millimetres = meshes.marks((-1.0, (0, 0, 10)), (1.0, (0, 0, 50)), units="mm")
+    assert resolve_marks(parse_marks(in_millimetres), TubeSurface(), 1000.0) == constraints
+
+
+def test_points_become_a_chain():
+    data = {**GOOD, "units": "mm"}
+    data["times"] = [{"time": 0.2, "points": [[2, 0, 0], [6, 0, 0]], "closed": True}]
+    (chain,) = resolve_marks(parse_marks(data), TubeSurface(), 1.0)
+    assert chain.vertices == (2, 6, 99) and chain.time == 0.2
+
+
+def changed(**changes):
+    return {**GOOD, **changes}
+
+
+@pytest.mark.parametrize(
+    "data, reason",
+    [
+        ([], "format"),
+        (changed(format="meshknit-marks-2"), "format"),
+        (changed(units="inch"), "units"),
+        (changed(times=[]), "at least one time"),
+        (changed(times=[{"boundary_near": [0, 0, 0]}]), r"times\[0\].*time"),
+        (changed(times=[{"time": 0.1}]), "either"),
+        (changed(times=[{"time": 0.1, "boundary_near": [0, 0]}]), "three numbers"),
+        (changed(times=[{"time": 0.1, "points": []}]), "at least one point"),
+        (changed(times=[{"time": True, "boundary_near": [0, 0, 0]}]), "number"),
+        (changed(openings=[{"at": [0, 0, 0], "radius": 8.0}]), "not supported yet"),
+    ],
+)
+def test_wrong_marks_are_refused_with_the_place(data, reason):
+    with pytest.raises(UsageError, match=reason):
+        parse_marks(data)
+
+
+def test_a_file_that_is_no_json_is_refused(tmp_path):
+    (tmp_path / "marks.json").write_text("{")
+    with pytest.raises(UsageError, match="marks.json"):
+        read_marks(tmp_path / "marks.json")
+    (tmp_path / "marks.json").write_text(json.dumps(GOOD))
+    assert len(read_marks(tmp_path / "marks.json").times) == 2

@@ -1,0 +1,71 @@
+"""Small meshes with known faults, as (vertices, polygons). Lengths as the caller likes them."""
+
+import math
+
+import numpy as np
+
+
+def tube(radius=30.0, length=60.0, around=24, along=6):
+    """An upright tube of quads, open at both ends, outside out."""
+    vertices = [
+        (radius * math.cos(a), radius * math.sin(a), length * i / along)
+        for i in range(along + 1)
+        for a in (2.0 * math.pi * j / around for j in range(around))
+    ]
+    polygons = []
+    for i in range(along):
+        for j in range(around):
+            a, b = i * around + j, i * around + (j + 1) % around
+            polygons.append([a, b, b + around, a + around])
+    return np.array(vertices), polygons
+
+
+def disk(radius=40.0, around=24):
+    """One boundary only."""
+    vertices, polygons = tube(radius, 0.0, around, 1)
+    vertices[around:, :2] *= 0.5
+    return vertices, polygons + [list(range(around, 2 * around))[::-1][::-1]]
+
+
+def moebius(radius=60.0, width=40.0, around=40):
+    """A band with half a twist: one side, one boundary."""
+    vertices, polygons = [], []
+    for j in range(around):
+        angle = 2.0 * math.pi * j / around
+        for side in (-0.5, 0.5):
+            out = radius + side * width * math.cos(angle / 2.0)
+            up = side * width * math.sin(angle / 2.0)
+            vertices.append((out * math.cos(angle), out * math.sin(angle), up))
+    for j in range(around):
+        a, b = 2 * j, 2 * j + 1
+        c, d = (2 * j + 2, 2 * j + 3) if j + 1 < around else (1, 0)
+        polygons.append([a, c, d, b])
+    return np.array(vertices), polygons
+
+
+def hourglass(radius=40.0, height=60.0, around=24):
+    """Two open cones that share their tip: not a surface at that vertex."""
+    ring = [
+        (radius * math.cos(a), radius * math.sin(a))
+        for a in np.arange(around) * 2 * math.pi / around
+    ]
+    vertices = [(0.0, 0.0, 0.0)]
+    vertices += [(x, y, height) for x, y in ring] + [(x, y, -height) for x, y in ring]
+    polygons = []
+    for j in range(around):
+        k = (j + 1) % around
+        polygons.append([0, 1 + j, 1 + k])
+        polygons.append([0, 1 + around + k, 1 + around + j])
+    return np.array(vertices), polygons
+
+
+def obj_text(vertices, polygons):
+    lines = ["v %.9g %.9g %.9g" % tuple(v) for v in vertices]
+    lines += ["f " + " ".join(str(i + 1) for i in p) for p in polygons]
+    return "\n".join(lines) + "\n"
+
+
+def marks(*times, units="model"):
+    """A marks file: (time, point near a boundary) for each boundary."""
+    entries = [{"time": time, "boundary_near": list(point)} for time, point in times]
+    return {"format": "meshknit-marks-1", "units": units, "times": entries}
