@@ -60,13 +60,25 @@ def _parse_time(index, entry):
         raise UsageError(f'{where} must have either "boundary_near" or "points"')
     if "boundary_near" in entry:
         return TimeMark(float(entry["time"]), (_point(where, entry["boundary_near"]),), True)
-    points = entry["points"]
-    if not isinstance(points, list) or not points:
-        raise UsageError(f'{where}: "points" must list at least one point')
+    points = _points(where, entry["points"])
     closed = entry.get("closed", False)
     if not isinstance(closed, bool):
         raise UsageError(f'{where}: "closed" must be true or false')
-    return TimeMark(float(entry["time"]), tuple(_point(where, p) for p in points), False, closed)
+    return TimeMark(float(entry["time"]), points, False, closed)
+
+
+def parse_points(text):
+    """A list of points as text, "[[x, y, z], ...]". Throws UsageError."""
+    try:
+        return _points("the list", json.loads(text))
+    except ValueError as error:
+        raise UsageError(f"points are written [[x, y, z], ...]: {error}") from error
+
+
+def _points(where, points):
+    if not isinstance(points, list) or not points:
+        raise UsageError(f'{where}: "points" must list at least one point')
+    return tuple(_point(where, p) for p in points)
 
 
 def _point(where, value):

@@ -2,17 +2,16 @@
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, CollectionProperty, FloatProperty, FloatVectorProperty
+from bpy.props import BoolProperty, FloatProperty, FloatVectorProperty, StringProperty
+from mathutils import Vector
 
 from .. import names
 from ..core.edge_chains import connected_groups, is_chain
+from ..core.errors import UsageError
+from ..core.marks import parse_points
 from ..scene import constraints, sessions
 from ..scene.edit_mode import object_mode
 from .stage_base import poll_mesh
-
-
-class MESHKNIT_PG_point(bpy.types.PropertyGroup):
-    co: FloatVectorProperty(name="Place", size=3, subtype="XYZ")
 
 
 class MESHKNIT_OT_add_time_constraint(bpy.types.Operator):
@@ -36,7 +35,11 @@ class MESHKNIT_OT_add_time_constraint(bpy.types.Operator):
         size=3,
         options={"HIDDEN", "SKIP_SAVE"},
     )
-    points: CollectionProperty(type=MESHKNIT_PG_point, options={"HIDDEN", "SKIP_SAVE"})
+    points: StringProperty(
+        name="Points",
+        description='For scripts: places on the surface, "[[x, y, z], ...]"',
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
     closed: BoolProperty(
         name="Closed",
         description="For scripts: join the last point to the first",
@@ -63,10 +66,14 @@ class MESHKNIT_OT_add_time_constraint(bpy.types.Operator):
         """-> (edges, None) or (None, what is wrong)"""
         mesh, to_local = ob.data, ob.matrix_world.inverted_safe()
         if self.properties.is_property_set("boundary_near"):
-            loop = constraints.boundary_near(mesh, to_local @ _vector(self.boundary_near))
+            loop = constraints.boundary_near(mesh, to_local @ Vector(self.boundary_near))
             return loop, None if loop is not None else "The mesh has no boundary"
-        if len(self.points):
-            places = [to_local @ _vector(point.co) for point in self.points]
+        if self.points:
+            try:
+                points = parse_points(self.points)
+            except UsageError as error:
+                return None, str(error)
+            places = [to_local @ Vector(point) for point in points]
             path = constraints.path_through(mesh, places, self.closed)
             return path, None if path else "The points need edges between them"
         chosen = constraints.selected_edges(mesh)
@@ -78,10 +85,4 @@ class MESHKNIT_OT_add_time_constraint(bpy.types.Operator):
         return np.array(groups[0]), None
 
 
-def _vector(values):
-    from mathutils import Vector
-
-    return Vector(values)
-
-
-CLASSES = (MESHKNIT_PG_point, MESHKNIT_OT_add_time_constraint)
+CLASSES = (MESHKNIT_OT_add_time_constraint,)

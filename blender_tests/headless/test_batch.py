@@ -1,0 +1,195 @@
+"""The headless run as scripts see it: files, exit status, one line of reason."""
+
+import json
+import subprocess
+from pathlib import Path
+
+import bpy
+import pytest
+
+import meshes
+
+BATCH = Path(__file__).resolve().parents[2] / "addon" / "meshknit" / "batch.py"
+TUBE_MARKS = meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 60)))
+
+
+def batch(*options, scene=None):
+    command = [bpy.app.binary_path, "--background", "--factory-startup"]
+    command += [str(scene)] if scene else []
+    command += ["--python", str(BATCH), "--", "--quiet", *map(str, options)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
+    assert (done.returncode == 3) or "Traceback" not in done.stderr + done.stdout, done.stderr
+    return done
+
+
+def reason(done):
+    """The one line on standard error."""
+    (line,) = [line for line in done.stderr.splitlines() if line.startswith("meshknit: ")]
+    return line
+
+
+@pytest.fixture
+def write(tmp_path):
+    def write(name, content):
+        path = tmp_path / name
+        text = content if isinstance(content, str) else json.dumps(content)
+        path.write_text(text)
+        return path
+
+    return write
+
+
+@pytest.fixture
+def tube(write):
+    return write("tube.obj", meshes.obj_text(*meshes.tube()))
+
+
+@pytest.fixture
+def tube_marks(write):
+    return write("marks.json", TUBE_MARKS)
+
+
+def test_from_a_file_to_all_outputs(tube, tube_marks, tmp_path):
+    paths = {n: tmp_path / f"out.{n}" for n in ("output", "graph", "stitches", "report")}
+    options = [x for name, path in paths.items() for x in (f"--{name}", path)]
+    done = batch("--input", tube, "--scale", 1, "--marks", tube_marks, *options)
+    assert done.returncode == 0, done.stderr
+    assert not [line for line in done.stderr.splitlines() if line.startswith("meshknit")]
+    report = json.loads(paths["report"].read_text())
+    assert report["format"] == "meshknit-report-1" and report["ok"] and report["problems"] == []
+    stages = {"check", "time", "graph", "trace", "schedule", "emit", "total"}
+    assert set(report["seconds"]) == stages and report["peak_mb"] > 10
+    assert report["mesh"]["boundaries"] == 2 and report["mesh"]["scale"] == 1.0
+    graph = json.loads(paths["graph"].read_text())
+    assert graph["format"] == "meshknit-graph-1" and graph["stitch_width"] == 3.66
+    assert len(graph["nodes"]) == report["graph"]["nodes"]
+    assert [len(r["nodes"]) for r in graph["rows"]] == [len(r) for r in graph["row_lengths"]]
+    assert len(graph["columns"]) == len(graph["column_lengths"])
+    stitches = json.loads(paths["stitches"].read_text())["stitches"]
+    assert len(stitches) == report["trace"]["stitches"]
+    for index, stitch in enumerate(stitches):
+        assert all(index in stitches[parent]["children"] for parent in stitch["parents"])
+    knitout = paths["output"].read_text()
+    assert f";!source: stitch {len(stitches) - 1}" in knitout
+    assert sorted(p.name for p in tmp_path.iterdir() if p.name.startswith(".")) == []
+
+
+def test_the_same_run_writes_the_same_bytes(tube, tube_marks, tmp_path):
+    texts = []
+    for name in ("a.k", "b.k"):
+        options = ("--input", tube, "--scale", 1, "--marks", tube_marks)
+        assert batch(*options, "--output", tmp_path / name).returncode == 0
+        texts.append((tmp_path / name).read_bytes())
+    assert texts[0] == texts[1]
+
+
+def test_stored_constraints_of_a_scene_are_used(tmp_path):
+    bpy.ops.meshknit.add_bent_tube()
+    bpy.ops.mesh.primitive_cube_add()
+    scene = tmp_path / "scene.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(scene))
+    report = tmp_path / "report.json"
+    options = ("--object", "Bent Tube", "--report", report)
+    for more, opened in ([], scene), (["--input", scene], None):
+        done = batch(*more, *options, scene=opened)
+        assert done.returncode == 0, done.stderr
+        assert json.loads(report.read_text())["graph"]["short_rows"] > 0
+        report.unlink()
+    assert "Bent Tube" in reason(batch("--object", "Sock", scene=scene))
+
+
+def test_size_gauge_and_until(tube, tube_marks, tmp_path):
+    report = tmp_path / "report.json"
+    options = ("--input", tube, "--marks", tube_marks, "--size", 120, "--until", "graph")
+    done = batch(*options, "--stitch-width", 5, "--stitch-height", 2.4, "--report", report)
+    assert done.returncode == 0
+    data = json.loads(report.read_text())
+    assert data["mesh"]["scale"] == pytest.approx(2.0)  # both sides are 60 units long
+    assert "graph" in data and "trace" not in data
+    assert data["graph"]["rows"] == pytest.approx(120.0 / 4.8, abs=2)
+
+
+def test_the_files_unit_is_the_scenes_unit(write, tmp_path):
+    vertices, polygons = meshes.tube()
+    small = write("small.obj", meshes.obj_text(vertices * 0.001, polygons))
+    marks = write("m.json", meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 0.06))))
+    done = batch("--input", small, "--marks", marks, "--report", tmp_path / "r.json")
+    assert done.returncode == 0
+    assert json.loads((tmp_path / "r.json").read_text())["mesh"]["scale"] == 1000.0
+
+
+NARROW = {"based_on": "shima_swg091n2", "needles": 40}
+NO_KNIT = {
+    "empty": (([], []), TUBE_MARKS, "no faces"),
+    "moebius": (meshes.moebius(), TUBE_MARKS, ""),
+    "hourglass": (meshes.hourglass(), TUBE_MARKS, ""),
+    "one boundary": (meshes.disk(), TUBE_MARKS, ""),
+    "contradictory times": (
+        meshes.tube(),
+        meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 60)), (0.5, (30, 0, 0))),
+        "",
+    ),
+    "boundary without time": (meshes.tube(), meshes.marks((-1.0, (0, 0, 0))), ""),
+}
+
+
+@pytest.mark.parametrize("case", NO_KNIT)
+def test_what_cannot_be_knit_ends_with_1_and_a_report(case, write, tmp_path):
+    mesh, marks, words = NO_KNIT[case]
+    old = write("old.k", "an older file")
+    report = tmp_path / "report.json"
+    done = batch(
+        "--input", write("m.obj", "o m\n" + meshes.obj_text(*mesh)), "--scale", 1,
+        "--marks", write("m.json", marks), "--report", report, "--output", old,
+    )  # fmt: skip
+    assert done.returncode == 1
+    assert words in reason(done) and len(reason(done)) > 40
+    data = json.loads(report.read_text())
+    assert data["ok"] is False
+    errors = [p for p in data["problems"] if p["severity"] == "error"]
+    assert errors and all(p["code"] and p["message"] and p["remedy"] for p in errors)
+    if case != "empty":
+        assert any(p["elements"] for p in errors)
+    assert old.read_text() == "an older file"
+
+
+def test_a_machine_that_is_too_narrow_says_how_far_to_scale(tube, tube_marks, write, tmp_path):
+    done = batch(
+        "--input", tube, "--scale", 1, "--marks", tube_marks,
+        "--machine", write("narrow.json", NARROW), "--stitches", tmp_path / "s.json",
+    )  # fmt: skip
+    assert done.returncode == 1 and "%" in reason(done)
+    assert (tmp_path / "s.json").exists()  # tracing was done
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        (["--input", "{folder}/missing.obj"], "missing.obj"),
+        (["--input", "{folder}/noise.obj"], "noise.obj"),
+        (["--input", "{folder}/noise.blend"], "noise.blend"),
+        (["--input", "{folder}/tube.obj", "--marks", "{folder}/noise.obj"], "marks"),
+        (["--input", "{folder}/tube.obj", "--marks", "{folder}/openings.json"], "not supported"),
+        (["--input", "{folder}/tube.obj", "--auto"], "not supported yet"),
+        (["--input", "{folder}/tube.obj", "--kcode", "x.kc"], "not supported yet"),
+        (["--input", "{folder}/tube.obj", "--machine", "kniterate"], "not supported yet"),
+        (["--input", "{folder}/tube.obj", "--machine", "loom"], "loom"),
+        (["--input", "{folder}/tube.obj", "--machine", "{folder}/typo.json"], "nedles"),
+        (["--colour"], "colour"),
+        (["--input", "{folder}/tube.obj", "--output", "{folder}/no/x.k"], "does not exist"),
+    ],
+)
+def test_wrong_usage_ends_with_2_and_one_line(options, words, tube, write, tmp_path):
+    write("noise.obj", "\x01\x02 this is no mesh\n")
+    write("noise.blend", "this is no scene")
+    write("typo.json", {"based_on": "shima_swg091n2", "nedles": 40})
+    write("openings.json", {**TUBE_MARKS, "openings": [{"at": [0, 0, 0], "radius": 8.0}]})
+    done = batch(*[option.format(folder=tmp_path) for option in options])
+    assert done.returncode == 2
+    assert words in reason(done)
+
+
+def test_progress_is_told_unless_quiet_and_help_is_no_error():
+    command = [bpy.app.binary_path, "--background", "--factory-startup", "--python", str(BATCH)]
+    done = subprocess.run([*command, "--", "--help"], capture_output=True, text=True)
+    assert done.returncode == 0 and "--stitch-width" in done.stdout

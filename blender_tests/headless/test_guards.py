@@ -1,0 +1,109 @@
+"""Rules of the code base that no single test would notice."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import bpy
+import pytest
+
+import meshknit
+from meshknit import names, native
+
+PACKAGE = Path(meshknit.__file__).resolve().parent
+SOURCES = sorted(p for p in PACKAGE.rglob("*.py"))
+# A module never imports one of a higher rank.
+RANKS = {
+    "names": 0, "compat": 0, "native": 1, "core": 2, "scene": 3, "properties": 3, "overlay": 4,
+    "operators": 5, "ui": 6, "registration": 7, "headless": 8, "batch": 9, "demo": 9,
+    "demo_picture": 9, "__init__": 9,
+}  # fmt: skip
+
+
+def imports(path):
+    """(relative level, dotted name) of every import."""
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            yield from ((0, alias.name) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = node.module or ""
+            yield from ((node.level, f"{base}.{a.name}".strip(".")) for a in node.names)
+
+
+def part_of(path):
+    return path.relative_to(PACKAGE).parts[0].removesuffix(".py")
+
+
+def imported_parts(path):
+    """Which parts of the package a module imports."""
+    depth = len(path.relative_to(PACKAGE).parts)
+    for level, name in imports(path):
+        if level == depth:
+            yield name.split(".")[0]
+        elif level:
+            yield part_of(path)
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda p: str(p.relative_to(PACKAGE)))
+def test_a_module_imports_only_lower_ranks(path):
+    for part in imported_parts(path):
+        assert RANKS[part] <= RANKS[part_of(path)], f"imports {part}"
+
+
+def test_core_and_overlay_data_run_without_blender():
+    for path in [*PACKAGE.glob("core/*.py"), PACKAGE / "overlay" / "overlay_data.py"]:
+        used = {name.split(".")[0] for level, name in imports(path) if level == 0}
+        assert not used & {"bpy", "gpu", "bmesh", "mathutils", "blf"}, path
+
+
+def test_only_native_names_the_compiled_module():
+    for path in SOURCES:
+        if path.name != "native.py":
+            assert "_native" not in path.read_text(), path
+
+
+def test_the_package_never_imports_itself_by_name():
+    for path in SOURCES:
+        assert not any(level == 0 and n.split(".")[0] == "meshknit" for level, n in imports(path))
+
+
+def test_no_file_is_long():
+    for path in SOURCES:
+        assert len(path.read_text().splitlines()) <= 300, path
+
+
+def test_registering_twice_and_data_stays(tube):
+    meshknit.unregister()
+    assert not hasattr(bpy.types.Mesh, names.PROPERTIES)
+    meshknit.register()
+    assert [c.time for c in bpy.context.object.data.meshknit.constraints] == [-1.0, 1.0]
+    assert bpy.ops.meshknit.check_mesh() == {"FINISHED"}
+
+
+def test_property_defaults_are_those_of_the_library():
+    library = native.load()
+    scene = bpy.context.scene.meshknit
+    bpy.ops.meshknit.add_straight_tube()
+    bpy.ops.meshknit.build_graph()
+    shape = library.example_shape("straight_tube")
+    surface = library.Surface(shape["vertices"], shape["faces"])
+    graph = library.build_knit_graph(surface, shape["vertices"][:, 2] / 60.0 - 1.0)
+    assert round(scene.stitch_width, 6) == graph.stitch_width
+    assert round(scene.stitch_height, 6) == graph.stitch_height
+
+
+def test_without_the_compiled_module_the_addon_registers_and_says_how_to_build(tmp_path):
+    script = tmp_path / "try.py"
+    script.write_text(
+        f"import sys; sys.path.insert(0, {str(PACKAGE.parent)!r}); sys.dont_write_bytecode = True\n"
+        "sys.modules['meshknit._native'] = None\n"  # importing it now fails
+        "import bpy, os, meshknit; meshknit.register()\n"
+        "assert 'make build' in meshknit.native.why_missing()\n"
+        "try:\n    bpy.ops.meshknit.check_mesh()\n"
+        "except RuntimeError as error:\n    print('SAID', error)\n"
+        "sys.stdout.flush(); os._exit(0)\n"
+    )
+    command = [bpy.app.binary_path, "--background", "--factory-startup", "--python", str(script)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert "SAID" in done.stdout and "make build" in done.stdout, done.stdout + done.stderr

@@ -1,0 +1,200 @@
+"""Check, Solve time, Build graph, Schedule, Write: from the active object to its results."""
+
+import json
+
+import bpy
+import numpy as np
+import pytest
+
+import meshes
+from meshknit.scene import sessions
+from objects import add_mesh, heights, knit_time, session, select_only
+
+KNIT = bpy.ops.meshknit
+SHAPES = ("straight_tube", "cone", "bent_tube", "sock")
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_an_added_shape_is_ready_to_knit(name, tmp_path):
+    assert getattr(KNIT, f"add_{name}")() == {"FINISHED"}
+    path = tmp_path / f"{name}.k"
+    report_path = tmp_path / "report.json"
+    assert KNIT.write_knitout(output=str(path), report_file=str(report_path)) == {"FINISHED"}
+    assert path.read_text().startswith(";!knitout-2")
+    report = json.loads(report_path.read_text())
+    assert report["ok"] and report["check"]["ok"]
+    bends = name in ("bent_tube", "sock")
+    assert (report["graph"]["short_rows"] > 0) == bends
+
+
+def test_shapes_have_their_millimetres_whatever_the_scene_unit():
+    bpy.context.scene.unit_settings.scale_length = 0.01
+    KNIT.add_straight_tube(radius=20.0, length=60.0)
+    assert max(bpy.context.object.dimensions) == pytest.approx(6.0)
+    KNIT.build_graph()
+    # 60 mm in rows of two courses of 1.73 mm.
+    assert session().report["graph"]["rows"] == pytest.approx(60.0 / 3.46, abs=2)
+
+
+def test_a_bent_tube_bends_as_far_as_asked():
+    KNIT.add_bent_tube(angle=np.radians(60.0))
+    KNIT.build_graph()
+    fewer = session().report["graph"]["short_rows"]
+    KNIT.add_bent_tube(angle=np.radians(120.0))
+    KNIT.build_graph()
+    assert 0 < fewer < session().report["graph"]["short_rows"]
+
+
+def test_the_time_field_rises_with_the_height_of_a_tube(tube):
+    KNIT.solve_time()
+    np.testing.assert_allclose(knit_time(tube), heights(tube) / 0.03 - 1.0, atol=0.02)
+    colors = tube.data.color_attributes["knit_time_color"]
+    early, late = np.argmin(heights(tube)), np.argmax(heights(tube))
+    assert colors.data[early].color[2] > colors.data[early].color[0]
+    assert colors.data[late].color[0] > colors.data[late].color[2]
+
+
+def test_a_stage_runs_the_stages_before_it_once(tube):
+    KNIT.schedule()
+    first = session().value("graph")
+    KNIT.schedule()
+    assert session().value("graph") is first
+    assert session().stale_stages() == []
+
+
+def test_results_are_stale_after_the_mesh_or_the_gauge_changes(tube):
+    KNIT.schedule()
+    graph = session().value("graph")
+    bpy.context.scene.meshknit.stitch_height = 2.0
+    sessions.look_again(bpy.context, tube)
+    assert session().stale_stages() == ["graph", "trace", "schedule"]
+    bpy.context.scene.meshknit.stitch_height = 1.73
+    sessions.look_again(bpy.context, tube)
+    assert session().stale_stages() == []
+    tube.data.vertices[200].co.x *= 1.05
+    sessions.look_again(bpy.context, tube)
+    assert not session().is_fresh("check") and not session().is_fresh("graph")
+    KNIT.build_graph()
+    assert session().value("graph") is not graph and session().is_fresh("graph")
+    assert session().stale_stages() == ["trace", "schedule"]
+
+
+def test_a_changed_time_makes_the_field_stale(tube):
+    KNIT.solve_time()
+    tube.data.meshknit.constraints[1].time = 0.5
+    sessions.look_again(bpy.context, tube)
+    assert session().stale_stages() == ["time"]
+    KNIT.solve_time()
+    assert knit_time(tube).max() == pytest.approx(0.5)
+
+
+def test_scale_rotation_and_place_of_the_object_count(tube):
+    KNIT.build_graph()
+    small = session().report["graph"]["rows"]
+    tube.scale, tube.rotation_euler, tube.location = (2, 2, 2), (1.0, 0.5, 0.2), (3, 2, 1)
+    KNIT.build_graph()
+    assert session().report["graph"]["rows"] == pytest.approx(2 * small, abs=2)
+    assert session().value("graph").nodes[:, 0].min() > 2000.0  # mm, in world space
+
+
+def test_a_mirrored_object_keeps_its_outside_out(tube):
+    KNIT.check_mesh()
+    area = session().report["mesh"]["area"]
+    tube.scale.x = -1.0
+    KNIT.check_mesh()
+    assert session().report["mesh"]["area"] == pytest.approx(area)
+    model, _ = sessions.read_inputs(bpy.context, tube)
+    corners = model.vertices[model.faces]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    outward = corners.mean(axis=1) * (1, 1, 0)
+    assert (np.einsum("ij,ij->i", normals, outward) > 0).all()
+
+
+def test_the_longest_side_can_be_chosen(tube):
+    tube.data.meshknit.size_mode = "SIZE"
+    tube.data.meshknit.size = 180.0
+    KNIT.build_graph()
+    assert session().report["mesh"]["scale"] == pytest.approx(3000.0)
+    tube.data.meshknit.size_mode = "SCALE"
+    tube.data.meshknit.scale = 2000.0
+    KNIT.check_mesh()
+    assert session().report["mesh"]["scale"] == pytest.approx(2000.0)
+
+
+def test_modifiers_count_and_constraints_go_through_them(tube):
+    before = len(tube.data.vertices)
+    tube.modifiers.new("Subdivision", "SUBSURF").levels = 1
+    assert KNIT.build_graph() == {"FINISHED"}
+    assert session().report["mesh"]["vertices"] > 3 * before
+    np.testing.assert_allclose(knit_time(tube), heights(tube) / 0.03 - 1.0, atol=0.1)
+
+
+def test_steps_work_in_edit_mode_and_stay_there(tube):
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert KNIT.build_graph() == {"FINISHED"}
+    assert tube.mode == "EDIT"
+
+
+def test_a_field_of_the_users_own_is_used_and_not_overwritten(tube):
+    own = (heights(tube) / 0.03 - 1.0).astype(np.float32)
+    tube.data.attributes.new("knit_time", "FLOAT", "POINT")
+    tube.data.attributes["knit_time"].data.foreach_set("value", own)
+    tube.data.meshknit.time_source = "ATTRIBUTE"
+    KNIT.build_graph()
+    assert session().report["time_field"]["source"] == "attribute"
+    np.testing.assert_array_equal(knit_time(tube), own)
+
+
+def test_a_fault_is_listed_and_shown():
+    vertices, polygons = meshes.tube()
+    vertices = np.vstack([vertices, [[60.0, 0.0, 15.0]]])
+    fin = [25, 49, len(vertices) - 1]  # a third face on an edge
+    ob = add_mesh(vertices, polygons + [fin])
+    with pytest.raises(RuntimeError):
+        KNIT.check_mesh()
+    (at,) = [i for i, p in enumerate(session().problems) if p["elements"].get("edges")][:1]
+    KNIT.select_problem(index=at)
+    assert ob.mode == "EDIT"
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert {v.index for v in ob.data.vertices if v.select} >= {25, 49}
+    assert sum(v.select for v in ob.data.vertices) < 10
+
+
+def test_a_boundary_without_a_time_is_shown_whole():
+    ob = add_mesh(*meshes.tube())
+    KNIT.add_boundary_constraint()
+    with pytest.raises(RuntimeError):
+        KNIT.solve_time()
+    codes = [p["code"] for p in session().problems]
+    KNIT.select_problem(index=codes.index("boundary-without-time"))
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert {v.index for v in ob.data.vertices if v.select} == set(range(144, 168))
+
+
+def test_openings_are_refused_with_their_faces(tube):
+    tube.data.attributes.new("knit_opening", "INT", "FACE")
+    tube.data.attributes["knit_opening"].data[7].value = 1
+    with pytest.raises(RuntimeError, match="opening"):
+        KNIT.build_graph()
+    (problem,) = session().problems
+    assert problem["code"] == "openings-not-supported"
+    assert problem["elements"]["faces"] == [7]
+
+
+def test_write_says_where_it_cannot_write(tube, tmp_path):
+    with pytest.raises(RuntimeError, match="Choose"):
+        KNIT.write_knitout()
+    with pytest.raises(RuntimeError, match="cannot write"):
+        KNIT.write_knitout(output=str(tmp_path / "no" / "folder" / "x.k"))
+
+
+def test_without_a_mesh_steps_cannot_be_started():
+    assert not KNIT.check_mesh.poll()
+    bpy.ops.object.empty_add()
+    assert not KNIT.build_graph.poll()
+    assert not KNIT.cancel.poll()
+
+
+def test_invoking_in_background_runs_to_the_end(tube):
+    assert KNIT.build_graph("INVOKE_DEFAULT") == {"FINISHED"}
+    assert session().is_fresh("graph")
