@@ -17,14 +17,3 @@ def draw_progress(layout, factor, text):
 def set_active_color(mesh, name):
     """Makes a colour attribute the one that Solid and Vertex shading show."""
     mesh.color_attributes.active_color = mesh.color_attributes[name]
-
-
-def set_text_size(size):
-    """blf.size() lost its dpi argument in 4.0."""
-    import blf
-    import bpy
-
-    if bpy.app.version < (4, 0, 0):
-        blf.size(0, size, 72)
-    else:
-        blf.size(0, size)

@@ -18,16 +18,17 @@ _STOPS = np.array(
 )
 UNKNOWN = (0.5, 0.5, 0.5)
 
-ROW = (0.16, 0.16, 0.18)
-COLUMN = (0.45, 0.45, 0.48)
-SHORT_ROW = (0.80, 0.10, 0.75)
-INCREASE = (0.00, 0.62, 0.30)
-DECREASE = (0.00, 0.00, 0.00)
-STALE = (0.5, 0.5, 0.5)
+# Of the knit graph's lines: sRGB and opacity. They must stand out from the field.
+ROW = (0.10, 0.10, 0.12, 0.60)
+COLUMN = (0.10, 0.10, 0.12, 0.30)
+SHORT_ROW = (0.05, 0.05, 0.05, 1.00)
+INCREASE = (0.00, 0.62, 0.20, 1.00)
+DECREASE = (0.93, 0.00, 0.73, 1.00)
+STALE = (0.50, 0.50, 0.50, 0.35)
 
 
 def time_colors(times):
-    """(n, 4) linear colours of times from -1 to 1; grey where a time is unknown (NaN)."""
+    """(n, 4) sRGB colours of times from -1 to 1; grey where a time is unknown (NaN)."""
     times = np.asarray(times, dtype=np.float64)
     at = (np.clip(np.nan_to_num(times), -1.0, 1.0) + 1.0) * 0.5 * (len(_STOPS) - 1)
     stops = np.arange(len(_STOPS))
@@ -35,11 +36,12 @@ def time_colors(times):
     for channel in range(3):
         colors[:, channel] = np.interp(at, stops, _STOPS[:, channel])
     colors[np.isnan(times), :3] = UNKNOWN
-    colors[:, :3] = to_linear(colors[:, :3])
     return colors
 
 
-def to_linear(color):
-    """sRGB -> linear, as Blender keeps colours."""
-    color = np.asarray(color, dtype=np.float64)
-    return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
+def to_linear(colors):
+    """(n, 4) sRGB -> linear, as Blender keeps colours in attributes and materials."""
+    linear = np.array(colors, dtype=np.float32)
+    rgb = linear[:, :3]
+    linear[:, :3] = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
+    return linear

@@ -65,8 +65,8 @@ def summary_lines(report):
     if "graph" in report:
         graph = report["graph"]
         lines.append(("Rows", f"{graph['rows']} ({graph['short_rows']} short)"))
-        lines.append(("Row edges within 10 %", f"{graph['row_error']['within_10']:.1%}"))
-        lines.append(("Column edges within 10 %", f"{graph['column_error']['within_10']:.1%}"))
+        lines.append(("Row edges ±10 %", f"{graph['row_error']['within_10']:.1%}"))
+        lines.append(("Columns ±10 %", f"{graph['column_error']['within_10']:.1%}"))
     if "trace" in report:
         lines.append(("Stitches", f"{report['trace']['stitches']}"))
     if "program" in report:
@@ -77,5 +77,5 @@ def summary_lines(report):
         lines.append(("Estimated time", f"{program['estimated_minutes']:.0f} min"))
     if "check" in report:
         verdict = "passed" if report["check"]["ok"] else "failed"
-        lines.append(("Check of the machine file", verdict))
+        lines.append(("Machine file check", verdict))
     return lines

@@ -1,6 +1,7 @@
 """Draws the overlay into the 3D views. Touches the GPU in the GUI only."""
 
 import bpy
+from mathutils import Matrix
 
 from .. import compat, names
 from ..scene import sessions
@@ -8,7 +9,8 @@ from ..scene.read_overlay import read_time_surface
 from . import overlay_data
 
 LIFT = 0.35  # lines lie this many stitch heights nearer to the viewer than the surface
-LEGEND_LEFT, LEGEND_BOTTOM, LEGEND_STEP, LEGEND_SIZE = 18, 18, 18, 12
+THICKNESS = 2.5  # pixels, of short rows and shaping
+LEGEND_LEFT, LEGEND_BOTTOM, LEGEND_STEP, LEGEND_SIZE, LEGEND_WIDTH = 18, 18, 18, 12, 270
 
 _handles = []
 _batches = {}  # what -> (signature, batch or None)
@@ -27,26 +29,37 @@ def _draw_view():
     if shown.show_time and ob.mode == "OBJECT":
         _draw_batch(_time_batch(ob, session), 0.3 * LIFT * unit, ob.matrix_world)
     if shown.show_graph and session is not None and session.value("graph") is not None:
-        _draw_batch(_graph_batch(ob, session), LIFT * unit)
+        thin, thick = _graph_batches(ob, session)
+        _draw_batch(thin, LIFT * unit)
+        _draw_batch(thick, 1.2 * LIFT * unit, shader=_thick_shader())
     gpu.state.depth_test_set("NONE")
     gpu.state.blend_set("NONE")
 
 
-def _draw_batch(batch, lift, matrix=None):
+def _draw_batch(batch, lift, matrix=None, shader=None):
     """Moves the drawing towards the viewer by `lift` scene units, so that the surface does not
     hide what lies on it."""
     if batch is None:
         return
     import gpu
-    from mathutils import Matrix
 
-    shader = gpu.shader.from_builtin("SMOOTH_COLOR")
     with gpu.matrix.push_pop():
         view = gpu.matrix.get_model_view_matrix()
         gpu.matrix.load_matrix(Matrix.Translation((0.0, 0.0, lift)) @ view)
         if matrix is not None:
             gpu.matrix.multiply_matrix(matrix)
-        batch.draw(shader)
+        batch.draw(shader or gpu.shader.from_builtin("SMOOTH_COLOR"))
+
+
+def _thick_shader():
+    import gpu
+
+    shader = gpu.shader.from_builtin("POLYLINE_SMOOTH_COLOR")
+    region = bpy.context.region
+    shader.bind()
+    shader.uniform_float("viewportSize", (region.width, region.height))
+    shader.uniform_float("lineWidth", THICKNESS)
+    return shader
 
 
 def _time_batch(ob, session):
@@ -64,14 +77,17 @@ def _time_batch(ob, session):
     return _cached("time", signature, make)
 
 
-def _graph_batch(ob, session):
+def _graph_batches(ob, session):
     stale = not session.is_fresh("graph")
     signature = (compat.object_key(ob), session.revision, stale)
 
     def make():
         scale = session.report["mesh"]["scale"]
-        lines = overlay_data.graph_lines(session.value("graph"), scale, stale)
-        return _new_batch("LINES", {"pos": lines.points, "color": lines.colors})
+        thin, thick = overlay_data.graph_lines(session.value("graph"), scale, stale)
+        return (
+            _new_batch("LINES", {"pos": thin.points, "color": thin.colors}),
+            _new_batch("LINES", {"pos": thick.points, "color": thick.colors}, None, "POLYLINE_"),
+        )
 
     return _cached("graph", signature, make)
 
@@ -83,11 +99,13 @@ def _cached(what, signature, make):
     return held[1]
 
 
-def _new_batch(kind, content, indices=None):
+def _new_batch(kind, content, indices=None, prefix=""):
     import gpu
     from gpu_extras.batch import batch_for_shader
 
-    shader = gpu.shader.from_builtin("SMOOTH_COLOR")
+    if not len(content["pos"]):
+        return None
+    shader = gpu.shader.from_builtin(prefix + "SMOOTH_COLOR")
     return batch_for_shader(shader, kind, content, indices=indices)
 
 
@@ -101,14 +119,30 @@ def _draw_legend():
     fresh = session.is_fresh("graph")
     entries = overlay_data.LEGEND if fresh else (("column", "Knit graph of an earlier state"),)
     left = LEGEND_LEFT + _width_of_toolbar()
+    _draw_box(left - 8, LEGEND_BOTTOM - 8, LEGEND_WIDTH, len(entries) * LEGEND_STEP + 10)
+    blf.size(0, LEGEND_SIZE)
     for line, (kind, text) in enumerate(reversed(entries)):
         blf.position(0, left, LEGEND_BOTTOM + line * LEGEND_STEP, 0)
-        compat.set_text_size(LEGEND_SIZE)
-        blf.color(0, *overlay_data.COLORS[kind], 1.0)
-        blf.draw(0, "\u2014\u2014  ")
+        blf.color(0, *overlay_data.COLORS[kind])
+        blf.draw(0, "\u2014\u2014")
         blf.position(0, left + 3 * LEGEND_SIZE, LEGEND_BOTTOM + line * LEGEND_STEP, 0)
-        blf.color(0, 1.0, 1.0, 1.0, 1.0)
+        blf.color(0, 0.05, 0.05, 0.05, 1.0)
         blf.draw(0, text)
+
+
+def _draw_box(left, bottom, width, height):
+    import gpu
+    from gpu_extras.batch import batch_for_shader
+
+    shader = gpu.shader.from_builtin("UNIFORM_COLOR")
+    right, top = left + width, bottom + height
+    corners = [(left, bottom, 0), (right, bottom, 0), (right, top, 0), (left, top, 0)]
+    batch = batch_for_shader(shader, "TRIS", {"pos": corners}, indices=[(0, 1, 2), (0, 2, 3)])
+    gpu.state.blend_set("ALPHA")
+    shader.bind()
+    shader.uniform_float("color", (0.85, 0.85, 0.85, 0.85))
+    batch.draw(shader)
+    gpu.state.blend_set("NONE")
 
 
 def _width_of_toolbar():

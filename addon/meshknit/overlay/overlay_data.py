@@ -6,7 +6,9 @@ import numpy as np
 
 from ..core import colors
 
-KINDS = ("column", "row", "short row", "increase", "decrease")
+THIN = ("column", "row")
+THICK = ("short row", "increase", "decrease")
+KINDS = THIN + THICK
 COLORS = {
     "column": colors.COLUMN,
     "row": colors.ROW,
@@ -21,6 +23,9 @@ LEGEND = (
     ("increase", "Increase: one stitch becomes two"),
     ("decrease", "Decrease: two stitches become one"),
 )
+
+
+STAR = 0.35  # arm of a star, in stitch widths
 
 
 @dataclass(frozen=True)
@@ -48,15 +53,35 @@ def graph_edges(graph):
 
 
 def graph_lines(graph, scale, stale=False):
-    """The knit graph in scene units (`scale`: mm per unit). A stale graph is grey all over."""
-    places = (graph.nodes[:, :3] / scale).astype(np.float32)
+    """The knit graph in scene units (`scale`: mm per unit). -> (thin lines: rows and columns, thick
+    lines: short rows and shaping, with a star where a stitch becomes two or two become one).
+    A stale graph is grey all over."""
+    places = graph.nodes[:, :3] / scale
     edges = graph_edges(graph)
-    points = [places[edges[kind].ravel()] for kind in KINDS]
-    shades = []
-    for kind, part in zip(KINDS, points):
-        color = (*(colors.STALE if stale else COLORS[kind]), 0.35 if stale else 1.0)
-        shades.append(np.tile(np.array(color, dtype=np.float32), (len(part), 1)))
-    return Lines(np.concatenate(points), np.concatenate(shades))
+    arm = STAR * graph.stitch_width / scale
+    stars = {
+        "increase": _stars(places[np.unique(edges["increase"][:, 0])], arm),
+        "decrease": _stars(places[np.unique(edges["decrease"][:, 1])], arm),
+    }
+    parts = {kind: places[edges[kind].ravel()] for kind in KINDS}
+    for kind, points in stars.items():
+        parts[kind] = np.concatenate([parts[kind], points])
+    return _lines(parts, THIN, stale), _lines(parts, THICK, stale)
+
+
+def _lines(parts, kinds, stale):
+    shades = [
+        np.tile(np.float32(colors.STALE if stale else COLORS[kind]), (len(parts[kind]), 1))
+        for kind in kinds
+    ]
+    points = np.concatenate([parts[kind] for kind in kinds])
+    return Lines(points.astype(np.float32), np.concatenate(shades))
+
+
+def _stars(places, arm):
+    """Three crossing segments at each place, seen as a star from everywhere."""
+    arms = arm * np.array([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1], [0, 0, 1]])
+    return (places[:, None, :] + arms[None]).reshape(-1, 3)
 
 
 @dataclass(frozen=True)
@@ -69,7 +94,7 @@ class Triangles:
 
 
 def time_triangles(points, shades, indices, stale=False):
-    """The time field as coloured triangles; a stale one is half grey. `shades` are linear."""
+    """The time field as coloured triangles; a stale one is half grey."""
     shades = np.array(shades, dtype=np.float32)
     if stale:
         shades[:, :3] = 0.75 * shades[:, :3].mean(axis=1, keepdims=True) + 0.25 * shades[:, :3]

@@ -8,7 +8,7 @@ from .attributes import positions, read_attribute
 
 
 def read_time_surface(ob):
-    """-> (positions, linear colours, triangles) in the object's own space, or None without a
+    """-> (positions, colours, triangles) in the object's own space, or None without a
     field. Requires Object Mode."""
     mesh = ob.data
     times = read_attribute(mesh, names.TIME, "FLOAT", "POINT")

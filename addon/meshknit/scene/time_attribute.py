@@ -4,7 +4,7 @@ import numpy as np
 from mathutils.kdtree import KDTree
 
 from .. import compat, names
-from ..core.colors import time_colors
+from ..core.colors import time_colors, to_linear
 from .attributes import positions, write_attribute
 
 
@@ -16,7 +16,7 @@ def publish_time(ob, model, times):
     if len(values) != len(mesh.vertices):
         values = values[_nearest_rows(ob, model)]
     write_attribute(mesh, names.TIME, "FLOAT", "POINT", np.nan_to_num(values))
-    write_attribute(mesh, names.TIME_COLOR, "FLOAT_COLOR", "POINT", time_colors(values))
+    write_attribute(mesh, names.TIME_COLOR, "FLOAT_COLOR", "POINT", to_linear(time_colors(values)))
     compat.set_active_color(mesh, names.TIME_COLOR)
 
 

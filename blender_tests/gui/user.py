@@ -1,0 +1,91 @@
+"""A simulated person: moves the mouse, clicks on real buttons of the sidebar, presses keys."""
+
+import time
+
+import bpy
+
+blender = None  # the greenlet of Blender's event loop
+
+
+def pump(turns=1):
+    """Lets Blender handle events and redraw."""
+    for _ in range(turns):
+        blender.switch()
+
+
+def pump_until(condition, seconds=60.0):
+    """Pumps until the condition holds; fails after a while."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "Blender did not get there in time"
+        pump()
+
+
+class User:
+    def __init__(self):
+        self.window = bpy.context.window_manager.windows[0]
+        self.area = next(a for a in self.window.screen.areas if a.type == "VIEW_3D")
+        self.view = next(r for r in self.area.regions if r.type == "WINDOW")
+        self.sidebar = next(r for r in self.area.regions if r.type == "UI")
+        self.place = (0, 0)
+
+    def event(self, kind, value, **keys):
+        x, y = map(int, self.place)
+        self.window.event_simulate(type=kind, value=value, x=x, y=y, **keys)
+        pump()
+
+    def move(self, region, x, y):
+        self.place = (region.x + x, region.y + y)
+        self.event("MOUSEMOVE", "NOTHING")
+
+    def click(self, region=None, x=0, y=0):
+        if region is not None:
+            self.move(region, x, y)
+        self.event("LEFTMOUSE", "PRESS")
+        self.event("LEFTMOUSE", "RELEASE")
+        pump(2)
+
+    def press(self, key, **keys):
+        self.event(key, "PRESS", **keys)
+        self.event(key, "RELEASE", **keys)
+        pump(2)
+
+    def over_view(self):
+        self.move(self.view, self.view.width // 3, self.view.height // 2)
+
+    def open_knit_tab(self, panel):
+        """Opens the sidebar and clicks its tabs from the top until `panel` is the one drawn."""
+        self.area.spaces.active.show_region_ui = True
+        pump(4)
+        drawn = []
+        draw = panel.draw
+        panel.draw = lambda self_, context: (drawn.append(1), draw(self_, context))[1]
+        try:
+            for y in range(self.sidebar.height - 20, 20, -18):
+                self.click(self.sidebar, self.sidebar.width - 8, y)
+                if drawn:
+                    return
+        finally:
+            panel.draw = draw
+        raise AssertionError("the sidebar has no tab with this panel")
+
+    def operator_under_mouse(self):
+        """The Python call of the button under the mouse, as Blender itself copies it; or ''."""
+        manager = bpy.context.window_manager
+        manager.clipboard = ""
+        with bpy.context.temp_override(window=self.window, area=self.area, region=self.sidebar):
+            if bpy.ops.ui.copy_python_command_button.poll():
+                bpy.ops.ui.copy_python_command_button()
+        return manager.clipboard
+
+    def find_button(self, operator, fraction=0.4):
+        """Moves down the sidebar until the mouse is over the operator's button. -> (x, y)"""
+        x = int(self.sidebar.width * fraction)
+        for y in range(self.sidebar.height - 30, 5, -9):
+            self.move(self.sidebar, x, y)
+            if f"bpy.ops.{operator}(" in self.operator_under_mouse():
+                return x, y
+        raise AssertionError(f"the sidebar shows no button for {operator}")
+
+    def click_button(self, operator, fraction=0.4):
+        self.click(self.sidebar, *self.find_button(operator, fraction))
