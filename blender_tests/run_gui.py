@@ -1,5 +1,5 @@
-"""xvfb-run -a -s "-screen 0 1280x900x24" blender --factory-startup --enable-event-simulate \
--p 0 0 1280 900 --python blender_tests/run_gui.py -- [pytest arguments]
+"""xvfb-run -a -s "-screen 0 1024x768x24" blender --factory-startup --enable-event-simulate \
+-p 0 0 1024 768 --python blender_tests/run_gui.py -- [pytest arguments]
 
 Tests are plain functions that click: pytest runs in a greenlet, which gives way to Blender's event
 loop whenever a test pumps."""
@@ -16,6 +16,7 @@ sys.dont_write_bytecode = True
 HERE = Path(__file__).resolve().parent
 bpy.context.preferences.view.show_splash = False
 bpy.context.preferences.view.smooth_view = 0
+bpy.context.preferences.system.viewport_aa = "OFF"
 sys.path.insert(0, str(HERE / "gui"))
 
 import user  # noqa: E402  (after its folder is on the path)

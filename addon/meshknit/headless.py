@@ -32,7 +32,7 @@ def main(arguments):
         if not hasattr(bpy.types.Mesh, names.PROPERTIES):
             registration.register()
         options = parse_options(arguments)
-        outcome, _ = run(options)
+        _, outcome, _ = run(options)
     except SystemExit:  # --help
         return 0
     except (UsageError, native.NativeMissing) as error:
@@ -52,7 +52,7 @@ def say(text):
 
 
 def run(options):
-    """Runs the stages and writes the files. -> (outcome, report). Throws UsageError."""
+    """Runs the stages and writes the files. -> (model, outcome, report). Throws UsageError."""
     library = native.load()
     marks = read_marks(options.marks) if options.marks else None
     ob = _find_object(options)
@@ -74,7 +74,7 @@ def run(options):
         outcome = run_stages(library, model, settings, options.until, run_context, known)
     report = build_report(library, model, settings, outcome)
     _write_files(options, outcome, report)
-    return outcome, report
+    return model, outcome, report
 
 
 def _settings(options, scene):

@@ -1,10 +1,12 @@
-"""One Blender for all GUI tests; every test starts with an empty scene and one 3D view."""
+"""One Blender for all GUI tests; every test starts with an empty scene and the Knit tab open."""
 
 import bpy
 import pytest
 
 import meshknit
-from user import User, pump
+from meshknit.scene import sessions
+from meshknit.ui.panel import MESHKNIT_PT_knit
+from user import User, pump, pump_until
 
 meshknit.register()
 
@@ -14,8 +16,33 @@ def user():
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     bpy.context.preferences.view.show_splash = False
     bpy.context.preferences.view.smooth_view = 0
+    bpy.context.preferences.system.viewport_aa = "OFF"
     pump(4)
     person = User()
-    person.area.spaces.active.shading.show_xray = False
-    pump(2)
-    return person
+    person.open_knit_tab(MESHKNIT_PT_knit)
+    yield person
+    if sessions.job() is not None:
+        sessions.job().cancel()
+        pump_until(lambda: sessions.job() is None)
+
+
+@pytest.fixture
+def run(user):
+    """Calls an operator as if from the 3D view, for what a test takes as given."""
+
+    def run(operator, **arguments):
+        with bpy.context.temp_override(window=user.window, area=user.area, region=user.view):
+            result = operator(**arguments)
+        pump(4)
+        return result
+
+    return run
+
+
+@pytest.fixture
+def tube(run):
+    """A tube that is ready to knit, active and in view."""
+    run(bpy.ops.meshknit.add_straight_tube, radius=20.0, length=60.0)
+    run(bpy.ops.view3d.view_selected)
+    run(bpy.ops.ed.undo_push, message="tube")
+    return bpy.context.object

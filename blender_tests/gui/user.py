@@ -78,14 +78,25 @@ class User:
                 bpy.ops.ui.copy_python_command_button()
         return manager.clipboard
 
-    def find_button(self, operator, fraction=0.4):
-        """Moves down the sidebar until the mouse is over the operator's button. -> (x, y)"""
+    def find_button(self, call, fraction=0.4, screens=4):
+        """Moves down the sidebar until the mouse is over the button that makes this Python call
+        (its beginning is enough); then the same from the sidebar's top, scrolling. -> (x, y)"""
         x = int(self.sidebar.width * fraction)
-        for y in range(self.sidebar.height - 30, 5, -9):
-            self.move(self.sidebar, x, y)
-            if f"bpy.ops.{operator}(" in self.operator_under_mouse():
-                return x, y
-        raise AssertionError(f"the sidebar shows no button for {operator}")
+        for screen in range(screens):
+            for y in range(self.sidebar.height - 30, 5, -12):
+                self.move(self.sidebar, x, y)
+                if self.operator_under_mouse().startswith(f"bpy.ops.{call}"):
+                    return x, y
+            self.scroll(-40 if screen == 0 else 8)
+        raise AssertionError(f"the sidebar shows no button for {call}")
 
-    def click_button(self, operator, fraction=0.4):
-        self.click(self.sidebar, *self.find_button(operator, fraction))
+    def scroll(self, steps):
+        """Scrolls the sidebar: down for positive steps."""
+        self.move(self.sidebar, self.sidebar.width // 3, self.sidebar.height // 2)
+        for _ in range(abs(steps)):
+            self.event("WHEELDOWNMOUSE" if steps > 0 else "WHEELUPMOUSE", "PRESS")
+        pump(2)
+
+    def click_button(self, call):
+        """Clicks the button of the sidebar that makes this Python call."""
+        self.click(self.sidebar, *self.find_button(call))

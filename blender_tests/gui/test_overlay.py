@@ -1,0 +1,84 @@
+"""What the overlay draws, as pixels of the screen."""
+
+import subprocess
+
+import bpy
+import numpy as np
+import pytest
+
+from user import pump
+
+
+@pytest.fixture
+def picture(user):
+    """Takes a picture of the 3D view as it stands on the screen: (height, width, 3), 0 to 1, from
+    below. Off-screen drawing and screen.screenshot leave the overlay out in some Blenders."""
+
+    def take():
+        pump(2)
+        bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
+        view = user.view
+        top = user.window.height - view.y - view.height
+        crop = f"{view.width - user.sidebar.width}x{view.height}+{view.x}+{top}"
+        command = ["import", "-window", "root", "-crop", crop, "+repage", "-depth", "8", "ppm:-"]
+        data = subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout
+        _, width, height, _ = data.split(maxsplit=4)[:4]
+        width, height = int(width), int(height)
+        values = np.frombuffer(data[-width * height * 3 :], np.uint8)
+        return values.reshape(height, width, 3)[::-1] / 255.0
+
+    return take
+
+
+def count(picture, kind):
+    red, green, blue = picture[:, :, 0], picture[:, :, 1], picture[:, :, 2]
+    if kind == "blue":
+        return int(((blue > red + 0.15) & (blue > green)).sum())
+    if kind == "red":
+        return int(((red > blue + 0.15) & (red > green + 0.1)).sum())
+    return int(((red > green + 0.25) & (blue > green + 0.25)).sum())  # magenta
+
+
+def show(user, **shown):
+    for name, value in shown.items():
+        setattr(bpy.context.scene.meshknit, name, value)
+    space = user.area.spaces.active
+    space.show_gizmo = False
+    for name in ("floor", "axis_x", "axis_y", "cursor", "outline_selected", "text"):
+        setattr(space.overlay, f"show_{name}", False)
+    pump(4)
+
+
+def test_time_is_blue_below_and_red_above(user, run, tube, picture):
+    bpy.ops.meshknit.solve_time()
+    show(user, show_time=False)
+    plain = picture()
+    show(user, show_time=True)
+    shown = picture()
+    assert count(shown, "blue") > count(plain, "blue") + 200
+    assert count(shown, "red") > count(plain, "red") + 200
+    rows = np.arange(len(shown))  # from below
+    blue = (shown[:, :, 2] > shown[:, :, 0] + 0.15).sum(axis=1)
+    red = (shown[:, :, 0] > shown[:, :, 2] + 0.15).sum(axis=1)
+    assert (rows * blue).sum() / blue.sum() < (rows * red).sum() / red.sum()
+
+
+def test_decreases_are_magenta_until_they_are_stale(user, run, picture):
+    run(bpy.ops.meshknit.add_cone)
+    run(bpy.ops.view3d.view_selected)
+    show(user, show_time=False)
+    before = count(picture(), "magenta")
+    bpy.ops.meshknit.build_graph()
+    pump(4)
+    drawn = count(picture(), "magenta")
+    assert drawn > before + 50
+    bpy.context.scene.meshknit.stitch_height = 2.5
+    from meshknit.scene import sessions
+
+    sessions.look_again(bpy.context, bpy.context.object)
+    pump(4)
+    assert count(picture(), "magenta") < before + drawn // 4
+    bpy.context.scene.meshknit.stitch_height = 1.73
+    sessions.look_again(bpy.context, bpy.context.object)
+    show(user, show_graph=False)
+    assert count(picture(), "magenta") < before + drawn // 4

@@ -1,0 +1,133 @@
+"""A person clicks through the steps of the panel."""
+
+import bpy
+import numpy as np
+
+from meshknit.scene import sessions
+from user import pump, pump_until
+
+KNIT = bpy.ops.meshknit
+
+
+def session():
+    return sessions.known_session(bpy.context.object)
+
+
+def finished():
+    return sessions.job() is None
+
+
+def test_from_sock_to_machine_file_by_clicks(user, run, tmp_path):
+    run(KNIT.add_sock)
+    run(bpy.ops.view3d.view_selected)
+    path = tmp_path / "sock.k"
+    bpy.context.scene.meshknit.output = str(path)
+    for call, stage in (
+        ("meshknit.check_mesh(", "check"),
+        ("meshknit.solve_time(", "time"),
+        ("meshknit.build_graph(", "graph"),
+        ("meshknit.schedule(", "schedule"),
+    ):
+        user.click_button(call)
+        pump_until(lambda: finished() and session() and session().is_fresh(stage))
+        assert not path.exists()
+    user.click_button("meshknit.write_knitout(")
+    pump_until(lambda: finished() and path.exists())
+    assert path.read_text().startswith(";!knitout-2")
+    report = session().report
+    assert report["check"]["ok"] and report["graph"]["short_rows"] > 0
+    pump(4)
+    assert session().stale_stages() == []
+    times = bpy.context.object.data.attributes["knit_time"].data
+    values = np.array([entry.value for entry in times])
+    assert values.min() == -1.0 and values.max() == 1.0
+
+
+def test_the_window_stays_alive_and_esc_cancels(user, run):
+    run(KNIT.add_sock)
+    scene = bpy.context.scene.meshknit
+    scene.stitch_width, scene.stitch_height = 0.6, 0.3  # fine: half a minute of work
+    user.click_button("meshknit.build_graph(")
+    pump_until(lambda: sessions.job() is not None)
+    job, seen = sessions.job(), []
+    while len(seen) < 8 and job.running:
+        seen.append(job.progress)
+        pump(2)
+    assert len(seen) == 8  # Blender drew eight times while the library worked
+    assert seen == sorted(seen)
+    assert not KNIT.solve_time.poll()  # one step at a time
+    user.over_view()
+    user.press("ESC")
+    pump_until(finished)
+    assert job.value.status == "cancelled"
+    assert session() is None or session().value("graph") is None
+    assert KNIT.solve_time.poll()
+
+
+def test_the_panels_cancel_button(user, run):
+    run(KNIT.add_sock)
+    scene = bpy.context.scene.meshknit
+    scene.stitch_width, scene.stitch_height = 0.6, 0.3
+    user.click_button("meshknit.build_graph(")
+    pump_until(lambda: sessions.job() is not None)
+    job = sessions.job()
+    user.click_button("meshknit.cancel(")
+    pump_until(finished)
+    assert job.value.status == "cancelled"
+
+
+def test_solving_time_is_one_undo_step(user, tube):
+    user.click_button("meshknit.solve_time(")
+    pump_until(lambda: finished() and "knit_time" in bpy.context.object.data.attributes)
+    user.over_view()
+    user.press("Z", ctrl=True)
+    assert "knit_time" not in bpy.context.object.data.attributes
+    assert len(bpy.context.object.data.meshknit.constraints) == 2
+    user.press("Z", ctrl=True, shift=True)
+    assert "knit_time" in bpy.context.object.data.attributes
+
+
+def test_a_problem_is_shown_by_its_button(user, tube):
+    KNIT.remove_constraint(index=1)
+    user.click_button("meshknit.solve_time(")
+    pump_until(lambda: finished() and session() is not None and session().problems)
+    codes = [p["code"] for p in session().problems]
+    user.click_button(f"meshknit.select_problem(index={codes.index('boundary-without-time')})")
+    ob = bpy.context.object
+    assert ob.mode == "EDIT"
+    ob.update_from_editmode()
+    chosen = [v.co.z for v in ob.data.vertices if v.select]
+    assert chosen and min(chosen) > 0.059  # the upper rim, of a tube 60 mm high
+
+
+def test_a_boundary_gets_its_time_back_by_a_click(user, tube):
+    KNIT.remove_constraint(index=0)
+    user.click_button("meshknit.add_boundary_constraint(")
+    times = [round(c.time, 3) for c in bpy.context.object.data.meshknit.constraints]
+    assert times == [1.0, -1.0]
+
+
+def test_selected_edges_in_edit_mode_become_a_constraint(user, run, tube):
+    user.over_view()
+    user.press("TAB")
+    pump_until(lambda: bpy.context.object.mode == "EDIT")
+    run(bpy.ops.mesh.select_all, action="DESELECT")
+    run(bpy.ops.mesh.select_non_manifold)
+    user.click_button("meshknit.add_time_constraint(")
+    pump(4)
+    # Both rims are selected: that is not one chain.
+    assert len(bpy.context.object.data.meshknit.constraints) == 2
+    run(bpy.ops.mesh.select_all, action="DESELECT")
+    KNIT.select_constraint(index=0)
+    user.click_button("meshknit.add_time_constraint(")
+    pump_until(lambda: len(bpy.context.object.data.meshknit.constraints) == 3)
+
+
+def test_a_changed_time_greys_the_results_by_itself(user, tube):
+    user.click_button("meshknit.build_graph(")
+    pump_until(lambda: finished() and session() and session().is_fresh("graph"))
+    pump(10)
+    bpy.context.object.data.meshknit.constraints[0].time = -0.5
+    pump_until(lambda: "graph" in session().stale_stages(), seconds=20)
+    bpy.context.object.data.meshknit.constraints[0].time = -1.0
+    pump_until(lambda: session().stale_stages() == [], seconds=20)
