@@ -6,6 +6,7 @@
 
 #include "meshknit/core/error.h"
 #include "meshknit/remesh/finish_graph.h"
+#include "meshknit/remesh/relaxation.h"
 #include "meshknit/remesh/sampling.h"
 #include "meshknit/surface/refine.h"
 
@@ -171,6 +172,7 @@ void Peeling::peel_row() {
   if (!height.last) return;
 
   done_ = true;
+  relax_nodes(state_.mesh, state_.time, face_of_node_, graph_);
   finish_graph(state_.mesh, face_of_node_, graph_);
 }
 
