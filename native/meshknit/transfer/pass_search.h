@@ -12,6 +12,10 @@ struct PassPlan {
   Assignment assignment;
 };
 
+/// Carries a plan out on the tube: every stack where its way ends, stacks that met made one,
+/// the transfers appended to `plan`.
+void advance(Tube& tube, const PassPlan& step, TransferPlan& plan);
+
 /// The way home with the fewest passes, then the least racking travel, then the fewest
 /// transfers. Sequences of passes are tried shortest first: all of them while they are few,
 /// longer ones in legs, that is runs of passes in one direction whose rackings rise or fall
