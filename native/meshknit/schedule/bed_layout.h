@@ -17,18 +17,21 @@ struct BedShape {
 /// Where a cycle of N slots hangs (paper, section 3.4 and Figure 16): one of 5N layouts for N
 /// even, 4N for N odd, at a place. Slots count anticlockwise, seen from above the beds:
 ///
-///     back        7 6 5 4        slots 0..7, first = 0, front = 4, left = 0: aligned
-///     front       0 1 2 3
+///     back        7 6 5 4
+///     front       0 1 2 3        8 slots, first = 0, front = 4, left = 0: aligned
 ///                 ^ place
 ///
-/// The five shapes of an even cycle (here 6 slots) and the four of an odd one (5 slots):
+/// The five shapes of a cycle of six slots:
 ///
-///     back     o o o      o o o    o o o          o        o o o o
-///     front    o o o    o o o        o o o    o o o o o      o o         (the last two for 8
-///     and 6 slots)
+///     back     o o o       o o o    o o o         o o      o o o o
+///     front    o o o     o o o        o o o     o o o o      o o
+///     left       0         1         -1           1         -1
 ///
-///     back     o o        o o    o o o      o o o
-///     front    o o o    o o o    o o          o o
+/// and the four of one of five:
+///
+///     back     o o         o o      o o o      o o o
+///     front    o o o     o o o      o o          o o
+///     left       0         1          0         -1
 struct BedLayout {
   int slots = 0;
   int first = 0;  ///< the slot at the left end of the front bed: the rotation

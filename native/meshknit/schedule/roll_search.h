@@ -50,15 +50,17 @@ void for_each_split_within(const SlotMap& map, const BedLayout& before, const Be
 
 /// Fewest rolls from the start to every split of every cycle, and from there to the end.
 struct RollTable {
-  std::vector<std::vector<int>> from_start,
-      to_end;  ///< [cycle][split]
+  std::vector<std::vector<int>> from_start;  ///< [cycle][split]
+  std::vector<std::vector<int>> to_end;      ///< [cycle][split]
   int fewest = 0;
 
   bool on_best_way(int cycle, int split) const {
     return from_start[cycle][split] + to_end[cycle][split] == fewest;
   }
 };
-/// Works in time proportional to the stacks of all cycles and their shaping.
+
+/// `maps[i]` leads from cycle i to cycle i+1. Works in time proportional to the stacks of
+/// all cycles and their shaping. Throws: Cancelled.
 RollTable search_rolls(const std::vector<BedSplits>& splits, const std::vector<SlotMap>& maps,
                        RunContext* run);
 

@@ -18,7 +18,7 @@ struct Hook {
 };
 
 /// A loop that hangs on the machine: `which` is 1 for the second loop (the reverse tuck) of an
-/// increase, else 0.
+/// increase, else 0. A loop of waste, through which the object is begun, has no stitch (-1).
 struct LoopName {
   int stitch = -1;
   int which = 0;
@@ -28,18 +28,18 @@ struct LoopName {
 /// second loop.
 using LoopStack = std::vector<LoopName>;
 
-/// One construction step: a run of stitches in one direction along one row, and the transfers
-/// before it. Before the step the tube holds `before` (stacks in anticlockwise order, each on
-/// its hook `before_hooks`). The transfers bring stack i to hook `moved_hooks[i]`; stacks with
-/// equal moved hook are decreased together. Then stitches first..last (inclusive) are made.
+/// One construction step: a run of stitches in one direction that works no stack twice, and the
+/// transfers before it. Before the step the tube holds `before` (stacks in anticlockwise order,
+/// each on its hook `before_hooks`). The transfers bring stack i to hook `moved_hooks[i]`;
+/// stacks with equal moved hook are decreased together, in the order in which the step's
+/// direction meets them. Then stitches first..last (inclusive) are made.
 struct ScheduleStep {
   int first_stitch = 0, last_stitch = -1;
   std::vector<LoopStack> before;
   std::vector<Hook> before_hooks;
   std::vector<Hook> moved_hooks;
-  std::vector<Hook> stitch_hooks;  ///< where each stitch of the step is made
-  std::vector<Hook>
-      second_loop_hooks;  ///< of an increase's second loop; otherwise the stitch's own hook
+  std::vector<Hook> stitch_hooks;       ///< where each stitch of the step is made
+  std::vector<Hook> second_loop_hooks;  ///< of increases; otherwise the stitch's own hook
 };
 
 /// Lexicographic cost of the paper's section 3.4, summed over steps.
@@ -58,11 +58,16 @@ struct Schedule {
 
 /// Lays the traced stitches of one tube on the beds (paper, section 3.4): per step the layout
 /// among the 4N (N odd) or 5N (N even) that minimises alignment, then roll, then shift, over
-/// the whole tube; then a horizontal offset so that all places lie on the machine's needles.
+/// the whole tube; then a horizontal offset so that all places lie on the machine's needles. A
+/// stack counts as one loop. Layouts are compared at the offset that moves fewest loops; but
+/// moves by more than two places, which no single racking makes, are avoided before shifts.
 /// Requires: check_trace finds nothing for the trace.
-/// Throws: NotKnittable "too-wide" naming the row's nodes and the largest scale that fits;
-/// "needs-one-tube" for more than one yarn start, split or merge; Cancelled. Ensures:
-/// check_schedule(trace, result, profile) finds nothing.
+/// Throws: NotKnittable "too-wide" naming the widest row's nodes and the largest scale that
+/// fits; "too-narrow" for a row of fewer than two loops; "stack-too-high" naming the nodes
+/// where tucks and decreases pile up more loops than a needle holds; "needs-one-tube" for more
+/// than one yarn, start, split or merge; Cancelled. Ensures: check_schedule(trace, result,
+/// profile) finds nothing. `optimal` is false if the tube would walk off the bed and some moves
+/// had to be worse than their best to keep it there.
 Schedule schedule_stitches(const StitchTrace& trace, const MachineProfile& profile,
                            RunContext* run = nullptr);
 

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "graphs.h"
 #include "meshknit/schedule/layout_cost.h"
-#include "schedule/tube_knitter.h"
 
 namespace meshknit {
 namespace {

@@ -32,7 +32,7 @@ bool moves(const ScheduleStep& step) {
 
 TEST(Schedule, APlainTubeNeverMovesALoop) {
   for (const int loops : {2, 3, 6, 7, 60, 61}) {
-    const StitchTrace trace = plain_tube(loops, 10);
+    const StitchTrace trace = knit_plain_tube(loops, 10);
     const Schedule schedule = schedule_stitches(trace, half_metre_machine());
     EXPECT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "");
     EXPECT_EQ(schedule.steps.size(), 10u) << "a step is a round";
@@ -78,7 +78,7 @@ TEST(Schedule, DecreasesOnOppositeSidesDoNotRoll) {
 // other bed: 16 decreases, so at least 7 rolls (the last pair may be left uneven only while the
 // count is odd).
 TEST(Schedule, OneSidedShapingRollsOnceEveryTwoDecreases) {
-  const StitchTrace trace = one_sided_cone(24, 8);
+  const StitchTrace trace = knit_one_sided_cone(24, 8);
   const Schedule schedule = schedule_stitches(trace, half_metre_machine());
   EXPECT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "");
   EXPECT_LE(schedule.cost.roll, 8);
@@ -86,7 +86,7 @@ TEST(Schedule, OneSidedShapingRollsOnceEveryTwoDecreases) {
 
 TEST(Schedule, RandomTubesKeepEveryPromise) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
-    const StitchTrace trace = random_tube(seed, 6 + static_cast<int>(seed % 31), 8, 6);
+    const StitchTrace trace = knit_random_tube(seed, 6 + static_cast<int>(seed % 31), 8, 6);
     const Schedule schedule = schedule_stitches(trace, half_metre_machine());
     ASSERT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "")
         << "seed " << seed;
@@ -95,7 +95,7 @@ TEST(Schedule, RandomTubesKeepEveryPromise) {
 
 TEST(Schedule, NeighboursNeverHangMoreThanTwoPlacesApart) {
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
-    const StitchTrace trace = random_tube(seed, 16, 8, 4);
+    const StitchTrace trace = knit_random_tube(seed, 16, 8, 4);
     const Schedule schedule = schedule_stitches(trace, half_metre_machine());
     for (const ScheduleStep& step : schedule.steps)
       for (size_t i = 0; i < step.moved_hooks.size(); ++i) {
@@ -107,7 +107,7 @@ TEST(Schedule, NeighboursNeverHangMoreThanTwoPlacesApart) {
 }
 
 TEST(Schedule, TheTubeStaysInTheMiddleOfTheBed) {
-  const Schedule schedule = schedule_stitches(plain_tube(20, 4), half_metre_machine());
+  const Schedule schedule = schedule_stitches(knit_plain_tube(20, 4), half_metre_machine());
   int lowest = 1000, highest = 0;
   for (const Hook& hook : schedule.end_hooks) {
     lowest = std::min(lowest, hook.n);
@@ -123,7 +123,7 @@ TEST(Schedule, ATubeWiderThanTheBedSaysWhichScaleFits) {
   // Places 1..29, four of them kept free at each end: 21 places, 42 loops. 60 loops need 30
   // places; 21/30 = 70 %.
   try {
-    schedule_stitches(plain_tube(60, 4), small);
+    schedule_stitches(knit_plain_tube(60, 4), small);
     FAIL() << "60 loops cannot hang on 21 places";
   } catch (const NotKnittable& refused) {
     const Problem* problem = find_problem(refused.problems(), "too-wide");
@@ -131,7 +131,7 @@ TEST(Schedule, ATubeWiderThanTheBedSaysWhichScaleFits) {
     EXPECT_NE(problem->remedy.find("70 %"), std::string::npos) << problem->remedy;
     EXPECT_EQ(problem->elements.nodes.size(), 60u);
   }
-  EXPECT_NO_THROW(schedule_stitches(plain_tube(42, 4), small));
+  EXPECT_NO_THROW(schedule_stitches(knit_plain_tube(42, 4), small));
 }
 
 // Tubes that lean to one side for as long as they are knit would walk off the bed.
@@ -148,8 +148,26 @@ TEST(Schedule, ALeaningTubeStaysOnTheBed) {
   EXPECT_EQ(first_message(check_schedule(trace, schedule, small)), "");
 }
 
+// Three short rows over the same stitches: each tucks on the loop beyond its ends, which then
+// carries 1 + 3 loops.
+TEST(Schedule, ShortRowsThatEndOnTopOfEachOtherAreRefused) {
+  TubeKnitter tube(20);
+  tube.round().knit(10);
+  for (int i = 0; i < 3; ++i) tube.turn().knit(6).turn().knit(6);
+  try {
+    schedule_stitches(tube.knit(4).end(), half_metre_machine());
+    FAIL() << "no needle holds four loops";
+  } catch (const NotKnittable& refused) {
+    const Problem* problem = find_problem(refused.problems(), "stack-too-high");
+    ASSERT_NE(problem, nullptr);
+    EXPECT_NE(problem->message.find("4 loops"), std::string::npos) << problem->message;
+    // One loop at each end of the short rows.
+    EXPECT_EQ(problem->elements.nodes.size(), 2u);
+  }
+}
+
 TEST(Schedule, TwoYarnsAreRefused) {
-  StitchTrace trace = plain_tube(8, 4);
+  StitchTrace trace = knit_plain_tube(8, 4);
   trace.stitches[20].yarn = 1;
   try {
     schedule_stitches(trace, half_metre_machine());
@@ -161,7 +179,7 @@ TEST(Schedule, TwoYarnsAreRefused) {
 }
 
 TEST(Schedule, ParentsThatDoNotHangSideBySideAreRefused) {
-  StitchTrace trace = plain_tube(8, 4);
+  StitchTrace trace = knit_plain_tube(8, 4);
   std::swap(trace.stitches[9].parents, trace.stitches[12].parents);
   trace.stitches[8].parents = {0, 4};
   EXPECT_THROW(schedule_stitches(trace, half_metre_machine()), NotKnittable);
@@ -170,7 +188,8 @@ TEST(Schedule, ParentsThatDoNotHangSideBySideAreRefused) {
 TEST(Schedule, CancellingStopsIt) {
   RunContext run;
   run.cancel();
-  EXPECT_THROW(schedule_stitches(one_sided_cone(24, 8), half_metre_machine(), &run), Cancelled);
+  EXPECT_THROW(schedule_stitches(knit_one_sided_cone(24, 8), half_metre_machine(), &run),
+               Cancelled);
 }
 
 class BrokenSchedule : public testing::Test {
@@ -179,7 +198,7 @@ class BrokenSchedule : public testing::Test {
     EXPECT_NE(find_problem(check_schedule(trace, schedule, half_metre_machine()), code),
               nullptr);
   }
-  StitchTrace trace = random_tube(5, 14, 6, 4);
+  StitchTrace trace = knit_random_tube(5, 14, 6, 4);
   Schedule schedule = schedule_stitches(trace, half_metre_machine());
 };
 

@@ -1,6 +1,6 @@
 #include "schedule/tube_knitter.h"
 
-#include <algorithm>
+#include "graphs.h"
 
 namespace meshknit {
 
@@ -57,6 +57,13 @@ TubeKnitter& TubeKnitter::increase() {
   return *this;
 }
 
+size_t TubeKnitter::height_ahead(int stacks) const {
+  const int step = direction_ == Direction::anticlockwise ? 1 : loops() - 1;
+  size_t height = 0;
+  for (int i = 1; i <= stacks; ++i) height += ring_[(at_ + i * step) % loops()].size();
+  return height;
+}
+
 TubeKnitter& TubeKnitter::decrease() {
   at_ = ahead();
   const int first = at_, second = ahead();
@@ -76,6 +83,7 @@ TubeKnitter& TubeKnitter::turn() {
   const int tuck = add(StitchKind::tuck);
   trace_.stitches[tuck].node = trace_.stitches[ring_[next].front().stitch].node;
   ring_[next].push_back({tuck, 0});
+  at_ = next;  // the next stitch goes back over the one before the tuck
   direction_ =
       direction_ == Direction::anticlockwise ? Direction::clockwise : Direction::anticlockwise;
   return *this;
@@ -89,7 +97,7 @@ StitchTrace TubeKnitter::end() {
   return trace_;
 }
 
-StitchTrace random_tube(std::uint32_t seed, int loops, int rounds, int rarity) {
+StitchTrace knit_random_tube(std::uint32_t seed, int loops, int rounds, int rarity) {
   Dice dice(seed);
   TubeKnitter tube(loops);
   for (int r = 0; r < rounds; ++r) {
@@ -98,7 +106,7 @@ StitchTrace random_tube(std::uint32_t seed, int loops, int rounds, int rarity) {
       if (choice < 2 && left >= 1) {
         tube.increase();
         left -= 1;
-      } else if (choice < 4 && left >= 2 && tube.loops() > 6) {
+      } else if (choice < 4 && left >= 2 && tube.loops() > 6 && tube.height_ahead(2) <= 3) {
         tube.decrease();
         left -= 2;
       } else {
@@ -109,31 +117,36 @@ StitchTrace random_tube(std::uint32_t seed, int loops, int rounds, int rarity) {
     if (dice.roll(3) > 0 || tube.loops() < 6) continue;
     // A short row: there and back, sometimes with a decrease on the way there and an increase
     // on the way back.
-    const int length = 2 + dice.roll(tube.loops() - 4);
+    int length = 2 + dice.roll(tube.loops() - 4);
+    if (tube.height_ahead(1) > 2) continue;
     tube.turn();
-    const bool less = length >= 4 && tube.loops() > 8 && dice.roll(2) == 0;
-    const bool more = length >= 4 && dice.roll(2) == 0;
-    if (less)
+    if (length >= 4 && tube.loops() > 8 && dice.roll(2) == 0) {
       tube.knit().decrease().knit(length - 3);
+      --length;
+    } else {
+      tube.knit(length);
+    }
+    // A needle does not hold more than three loops.
+    while (tube.height_ahead(1) > 2) {
+      tube.knit();
+      ++length;
+    }
+    tube.turn();
+    if (length >= 4 && dice.roll(2) == 0)
+      tube.knit().increase().knit(length - 2);
     else
       tube.knit(length);
-    const int back = length - (less ? 1 : 0);
-    tube.turn();
-    if (more)
-      tube.knit().increase().knit(back - 2);
-    else
-      tube.knit(back);
   }
   return tube.end();
 }
 
-StitchTrace one_sided_cone(int loops, int least) {
+StitchTrace knit_one_sided_cone(int loops, int least) {
   TubeKnitter tube(loops);
   while (tube.loops() > least) tube.decrease().knit(tube.loops() - 1);
   return tube.end();
 }
 
-StitchTrace plain_tube(int loops, int rounds) {
+StitchTrace knit_plain_tube(int loops, int rounds) {
   TubeKnitter tube(loops);
   for (int r = 2; r < rounds; ++r) tube.round();
   return tube.end();
