@@ -1,0 +1,135 @@
+#include "meshknit/transfer/itinerary.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace meshknit {
+namespace {
+
+class Walk {
+ public:
+  Walk(const Tube& tube, const Block& block, const Passes& passes, Ending ending)
+      : stack_(tube.stacks[block.first]), passes_(passes), ending_(ending) {
+    // A block spreads over the places between its ends; all of them stay within the range.
+    const int reach = tube.stacks[block.last].place - stack_.place;
+    lowest_ = tube.lowest - std::min(0, reach);
+    highest_ = tube.highest - std::max(0, reach);
+    for (std::size_t k = passes.size(); k-- > 0;) {
+      leaves_later_[k] = leaves_later_[k + 1];
+      leaves_later_[k][passes[k].from == Bed::back] = true;
+    }
+    way_.stops[0] = {stack_.side, stack_.place, false};
+    step(0);
+  }
+  std::vector<Itinerary> found;
+
+ private:
+  void step(std::size_t k) {
+    const Stop here = way_.stops[k];
+    if (k == passes_.size()) {
+      const bool home = here.side == stack_.goal_side && here.place == stack_.goal;
+      if (!here.parked && (ending_ == Ending::any_hook || home)) found.push_back(way_);
+      return;
+    }
+    if (ending_ == Ending::goal && too_late(here, k)) return;
+    way_.stops[k + 1] = here;
+    step(k + 1);
+    if (here.bed() != passes_[k].from) return;
+    Stop there = here;
+    there.place += shift_of(passes_[k]);
+    if (there.place < lowest_ || there.place > highest_) return;
+    if (changes_side(passes_[k])) {
+      if (here.parked || here.side == stack_.goal_side) return;
+      there.side += here.side < stack_.goal_side ? 1 : -1;
+    } else {
+      there.parked = !here.parked;
+    }
+    way_.stops[k + 1] = there;
+    ++way_.transfers;
+    step(k + 1);
+    --way_.transfers;
+  }
+
+  // A parked stack needs a pass back; one on a wrong hook of its own side needs one away and
+  // one back.
+  bool too_late(const Stop& here, std::size_t k) const {
+    const int left = static_cast<int>(passes_.size() - k);
+    const int ends = std::abs(stack_.goal_side - here.side);
+    if (here.parked) return ends + 1 > left || !leaves_later_[k][here.bed() == Bed::back];
+    if (ends > 0) return ends > left;
+    return here.place != stack_.goal && !(leaves_later_[k][0] && leaves_later_[k][1]);
+  }
+
+  const Stack& stack_;
+  const Passes& passes_;
+  Ending ending_;
+  int lowest_ = 0, highest_ = 0;
+  std::array<std::array<bool, 2>, most_passes + 1> leaves_later_{};  // [pass][front, back]
+  Itinerary way_;
+};
+
+int position(const Stop& stop, int racking) {
+  const Needle needle = half_gauge_needle({stop.bed(), stop.place, stop.parked});
+  return needle.bed == Bed::back ? needle.index + racking : needle.index;
+}
+
+bool one_needle(const Stop& a, const Stop& b) {
+  return a.parked == b.parked && a.place == b.place && a.bed() == b.bed();
+}
+
+// Anticlockwise: the front rightward, the back leftward; a facing neighbour is still in order.
+bool in_order(const Stop& a, const Stop& b, int turn, int racking) {
+  const int sides = b.side + turn - a.side;
+  if (sides < 0) return false;
+  if (sides > 0) return true;
+  const int ahead = position(b, racking) - position(a, racking);
+  return bed_of_side(a.side) == Bed::front ? ahead >= 0 : ahead <= 0;
+}
+
+bool within_slack(const Stack& a, const Stop& stop_a, const Stop& stop_b, int racking) {
+  return std::abs(position(stop_a, racking) - position(stop_b, racking)) <= a.slack;
+}
+
+bool one_goal(const Stack& a, const Stack& b, int turn) {
+  return a.goal_side == b.goal_side + turn && a.goal == b.goal;
+}
+
+}  // namespace
+
+bool operator==(const Stop& a, const Stop& b) {
+  return a.side == b.side && a.place == b.place && a.parked == b.parked;
+}
+
+std::vector<Itinerary> itineraries(const Tube& tube, const Block& block, const Passes& passes,
+                                   Ending ending) {
+  return Walk(tube, block, passes, ending).found;
+}
+
+Itinerary beside(const Itinerary& itinerary, int places) {
+  Itinerary shifted = itinerary;
+  for (Stop& stop : shifted.stops) stop.place += places;
+  return shifted;
+}
+
+bool compatible(const Stack& a, const Itinerary& way_a, const Stack& b, const Itinerary& way_b,
+                int turn, const Passes& passes) {
+  const int count = static_cast<int>(passes.size());
+  for (int k = 0; k <= count; ++k) {
+    const Stop &stop_a = way_a.stops[k], &stop_b = way_b.stops[k];
+    const int racking = k < count ? passes[k].racking : 0;
+    if (!within_slack(a, stop_a, stop_b, racking)) return false;
+    if (!in_order(stop_a, stop_b, turn, racking)) return false;
+    // A loop that goes round an end lands on a new side, whose order is asked at that racking.
+    if (k < count && !in_order(way_a.stops[k + 1], way_b.stops[k + 1], turn, racking))
+      return false;
+    if (k == 0) continue;
+    const bool were_one = one_needle(way_a.stops[k - 1], way_b.stops[k - 1]);
+    const bool are_one = one_needle(stop_a, stop_b);
+    if (were_one && !are_one) return false;
+    if (!were_one && are_one && (!one_goal(a, b, turn) || !(way_a.stops[k - 1] == stop_a)))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace meshknit

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "meshknit/transfer/pass.h"
+#include "meshknit/transfer/tube.h"
+
+namespace meshknit {
+
+constexpr int most_passes = 16;
+
+/// Where a stack hangs between two passes.
+struct Stop {
+  int side = 0;
+  int place = 0;
+  bool parked = false;
+
+  Bed bed() const { return parked ? opposite(bed_of_side(side)) : bed_of_side(side); }
+};
+bool operator==(const Stop& a, const Stop& b);
+
+/// What one stack does in a sequence of passes: stops[k] before pass k, stops[passes] at the
+/// end.
+struct Itinerary {
+  std::array<Stop, most_passes + 1> stops;
+  int transfers = 0;
+};
+
+/// What a stack may end with.
+enum class Ending {
+  goal,     ///< on its goal hook
+  any_hook  ///< on a hook of any place
+};
+
+/// All ways of a block's first stack through the passes; the others of the block do the same,
+/// beside it. Stacks go round ends only towards their goal side. The way that waits longest
+/// comes first. Requires: at most most_passes passes.
+std::vector<Itinerary> itineraries(const Tube& tube, const Block& block, const Passes& passes,
+                                   Ending ending);
+
+/// Shifted by whole places: the same way for another stack of the block.
+Itinerary beside(const Itinerary& itinerary, int places);
+
+/// True if two neighbouring stacks may take these ways: slack and order kept before every pass
+/// and at the end, one needle shared only for one goal, with `b` coming down onto `a`. `turn`
+/// is added to b's sides (2 for the pair that closes the tube).
+bool compatible(const Stack& a, const Itinerary& way_a, const Stack& b, const Itinerary& way_b,
+                int turn, const Passes& passes);
+
+}  // namespace meshknit

@@ -1,0 +1,111 @@
+#include "meshknit/transfer/plan_transfers.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "meshknit/core/error.h"
+#include "meshknit/transfer/collapse_shift_expand.h"
+#include "meshknit/transfer/pass_search.h"
+#include "meshknit/transfer/transfer_checks.h"
+
+namespace meshknit {
+namespace {
+
+Problem impossible(std::string message, std::string remedy, std::vector<int> loops) {
+  Problem problem;
+  problem.code = "transfer-impossible";
+  problem.message = std::move(message);
+  problem.remedy = std::move(remedy);
+  problem.elements.stitches = std::move(loops);
+  return problem;
+}
+
+// Pairs that the layouts before and after already stretch; no plan can help them.
+Problems stretched_layouts(const TransferProblem& problem) {
+  Problems found;
+  const int count = static_cast<int>(problem.loops.size());
+  for (int i = 0; i < count; ++i) {
+    const int j = (i + 1) % count;
+    const TransferLoop &a = problem.loops[i], &b = problem.loops[j];
+    const int before = half_gauge_needle({a.from_bed, a.from, false}).index -
+                       half_gauge_needle({b.from_bed, b.from, false}).index;
+    const int after = half_gauge_needle({a.to_bed, a.to, false}).index -
+                      half_gauge_needle({b.to_bed, b.to, false}).index;
+    const int distance = std::max(std::abs(before), std::abs(after));
+    if (distance > problem.slack[i])
+      found.push_back(impossible("Two neighbouring loops must hang " +
+                                     std::to_string(distance) +
+                                     " needles apart, but their yarn reaches only " +
+                                     std::to_string(problem.slack[i]) + ".",
+                                 "Make the shape change more slowly here.", {i, j}));
+  }
+  return found;
+}
+
+NotKnittable no_way() {
+  return NotKnittable({impossible(
+      "The loops of this row cannot be moved to where the next row needs them: the yarn "
+      "between "
+      "neighbouring loops is too short, or there is no room beside the tube.",
+      "Leave more needles free beside the object, or make the shape change more slowly here.",
+      {})});
+}
+
+// Passes, then racking travel, then transfers.
+std::tuple<int, int, std::size_t> cost(const TransferPlan& plan) {
+  Passes passes;
+  for (const Transfer& transfer : plan.transfers)
+    passes.push_back({transfer.from.bed, racking_of(transfer)});
+  return {count_passes(plan), racking_travel(passes), plan.transfers.size()};
+}
+
+// Collapse-shift-expand until all loops have arrived, or until a search finds the rest of the
+// way.
+std::optional<TransferPlan> plan_in_steps(Tube tube, bool search_the_rest) {
+  TransferPlan plan;
+  while (!tube.arrived()) {
+    std::optional<PassPlan> step;
+    if (search_the_rest && !plan.transfers.empty()) step = search_passes(tube);
+    if (!step) step = collapse_shift_expand(tube);
+    if (!step) return std::nullopt;
+    advance(tube, *step, plan);
+  }
+  return plan;
+}
+
+std::optional<TransferPlan> cheapest_plan(Tube tube) {
+  if (tube.arrived()) return TransferPlan{};
+  if (const std::optional<PassPlan> whole = search_passes(tube)) {
+    TransferPlan plan;
+    advance(tube, *whole, plan);
+    return plan;
+  }
+  // Neither is always better: a search makes the rest short, while steps of one kind often
+  // share the pass between them.
+  const std::optional<TransferPlan> searched = plan_in_steps(tube, true);
+  const std::optional<TransferPlan> stepped = plan_in_steps(tube, false);
+  if (!searched || !stepped) return searched ? searched : stepped;
+  return cost(*stepped) < cost(*searched) ? stepped : searched;
+}
+
+}  // namespace
+
+TransferPlan plan_transfers(const TransferProblem& problem) {
+  if (const Problems wrong = check_transfer_form(problem); !wrong.empty())
+    throw InvalidInput(wrong.front().message);
+
+  if (Problems stretched = stretched_layouts(problem); !stretched.empty())
+    throw NotKnittable(std::move(stretched));
+
+  const std::optional<TransferPlan> found = cheapest_plan(make_tube(problem));
+  if (!found) throw no_way();
+  const TransferPlan& plan = *found;
+  if (const Problems broken = check_transfer_plan(problem, plan); !broken.empty())
+    throw BrokenPromise("a transfer plan failed its replay: " + broken.front().message);
+  return plan;
+}
+
+}  // namespace meshknit
