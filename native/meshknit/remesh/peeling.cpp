@@ -15,7 +15,7 @@ namespace {
 
 // Longest edge of the fine mesh, as a fraction of the smaller stitch dimension: rows bend no
 // more sharply than that.
-constexpr double fine_edge = 0.5;
+constexpr double fine_edge = 0.8;
 
 // Shortest short row: three nodes are 2 l_r long.
 constexpr int fewest_in_short_row = 3;
@@ -144,7 +144,7 @@ double Peeling::progress() const {
 void Peeling::peel_row() {
   const RowHeights::Next height = heights_->next(state_, active_.cycle);
   const double infinity = std::numeric_limits<double>::infinity();
-  band_->measure(active_.cycle, height.last ? infinity : 1.6 * height.height);
+  band_->measure(active_.cycle, height.last ? infinity : 1.2 * height.height);
   const double level = height.last ? infinity : height.height;
   std::vector<NextCycle> cycles = slicer_->slice(*band_, active_.cycle, level);
   if (cycles.empty()) throw BrokenPromise("slicing found no next cycle");
