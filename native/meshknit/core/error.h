@@ -8,7 +8,8 @@
 
 namespace meshknit {
 
-/// The caller's arguments make no sense (sizes, ranges, unknown names). A usage mistake, not a model's.
+/// The caller's arguments make no sense (sizes, ranges, unknown names). A usage mistake, not a
+/// model's.
 class InvalidInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

@@ -11,7 +11,8 @@ namespace meshknit {
 enum class Severity { note, warning, error };
 
 /// The places a problem is about. Vertices, edges (as vertex pairs) and faces are those of the
-/// arrays that the caller handed in; boundaries and nodes are indices into the result they come from.
+/// arrays that the caller handed in; boundaries and nodes are indices into the result they come
+/// from.
 struct ProblemElements {
   std::vector<int> vertices;
   std::vector<std::array<int, 2>> edges;
@@ -22,8 +23,8 @@ struct ProblemElements {
   std::vector<int> lines;  ///< lines of a knitout file, counted from 1
 };
 
-/// One thing that is wrong, for a person: what (message), where (elements), what to change (remedy).
-/// `code` is stable and in lower-case-with-dashes, for tests and scripts.
+/// One thing that is wrong, for a person: what (message), where (elements), what to change
+/// (remedy). `code` is stable and in lower-case-with-dashes, for tests and scripts.
 struct Problem {
   std::string code;
   Severity severity = Severity::error;

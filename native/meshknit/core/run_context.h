@@ -14,7 +14,8 @@ class RunContext {
   /// Fraction of the whole run that is done, in [0, 1].
   double progress() const { return progress_.load(); }
 
-  /// The worker's side. A stage gets a share [begin, end] of the bar and reports its own fraction.
+  /// The worker's side. A stage gets a share [begin, end] of the bar and reports its own
+  /// fraction.
   void begin_stage(double begin, double end);
   /// Sets the current stage's fraction in [0, 1]. Throws Cancelled if the run was cancelled.
   void report(double fraction);

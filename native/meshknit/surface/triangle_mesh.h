@@ -1,10 +1,16 @@
 #pragma once
 
+#include <Eigen/Core>
+
 // OpenMesh's mesh headers must come before its Eigen adapter.
+// clang-format off
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Geometry/EigenVectorT.hh>
+// clang-format on
 
-#include <Eigen/Core>
+// Compiled once, in triangle_mesh.cpp: OpenMesh grows a property by a vector that Eigen leaves
+// unset, and the compiler would warn of it in every source that includes this header.
+extern template class OpenMesh::PropertyT<Eigen::Vector3d>;
 
 namespace meshknit {
 
@@ -17,8 +23,8 @@ struct TriangleMeshTraits : OpenMesh::DefaultTraits {
   FaceAttributes(OpenMesh::Attributes::None);
 };
 
-/// The project's only mesh type: triangles, half edges, positions in mm. Faces run anticlockwise seen
-/// from outside, so normals point out.
+/// The project's only mesh type: triangles, half edges, positions in mm. Faces run
+/// anticlockwise seen from outside, so normals point out.
 using TriangleMesh = OpenMesh::TriMesh_ArrayKernelT<TriangleMeshTraits>;
 
 using VertexArray = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;

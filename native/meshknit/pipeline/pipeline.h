@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "meshknit/core/run_context.h"
+#include "meshknit/emit/emit_program.h"
+#include "meshknit/knit_graph/knit_graph_checks.h"
+#include "meshknit/machine/carriage_passes.h"
+#include "meshknit/machine/machine_profile.h"
+#include "meshknit/remesh/remesh.h"
+#include "meshknit/schedule/schedule.h"
+#include "meshknit/surface/surface.h"
+#include "meshknit/time_field/time_field.h"
+#include "meshknit/tracing/stitch.h"
+#include "meshknit/verify/verify_knitout.h"
+
+namespace meshknit {
+
+// The stages as users run them: each checks its own result before it hands it on, with the same
+// checkers that tests call. All throw NotKnittable for the model's faults, BrokenPromise
+// (naming the stage and the check) for ours, and Cancelled.
+
+struct CheckedGraph {
+  KnitGraph graph;
+  KnitGraphCheck check;  ///< without errors
+  KnitGraphStats stats;
+};
+CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>& time,
+                              const RemeshOptions& options, RunContext* run = nullptr);
+
+StitchTrace build_trace(const KnitGraph& graph, RunContext* run = nullptr);
+
+Schedule build_schedule(const StitchTrace& trace, const MachineProfile& profile,
+                        RunContext* run = nullptr);
+
+/// A machine file that the simulated machine has knitted and found equal to the trace.
+struct CheckedKnitout {
+  std::string text;
+  VerifyReport check;  ///< ok
+  ProgramCost cost;
+};
+CheckedKnitout build_knitout(const StitchTrace& trace, const Schedule& schedule,
+                             const MachineProfile& profile, RunContext* run = nullptr);
+
+}  // namespace meshknit

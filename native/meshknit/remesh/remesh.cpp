@@ -1,0 +1,45 @@
+#include "meshknit/remesh/remesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "meshknit/core/error.h"
+#include "meshknit/remesh/peeling.h"
+
+namespace meshknit {
+namespace {
+
+void require_one_tube(const Surface& surface) {
+  if (surface.boundaries.size() == 2 && surface.genus == 0) return;
+  Problem problem;
+  problem.code = "needs-one-tube";
+  problem.message = "This surface has " + std::to_string(surface.boundaries.size()) +
+                    " boundaries and " + std::to_string(surface.genus) +
+                    " handles; one tube with two boundaries can be knit so far.";
+  problem.remedy =
+      "Close or cut away all boundaries but the two where knitting starts and ends.";
+  for (std::size_t i = 0; i < surface.boundaries.size(); ++i)
+    problem.elements.boundaries.push_back(static_cast<int>(i));
+  throw NotKnittable({problem});
+}
+
+}  // namespace
+
+KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
+                 const RemeshOptions& options, RunContext* run) {
+  if (time.size() != surface.mesh.n_vertices())
+    throw InvalidInput("remesh: one time per mesh vertex is needed");
+  if (!(options.stitch_width > 0.0) || !(options.stitch_height > 0.0))
+    throw InvalidInput("remesh: stitch width and height must be positive");
+  require_one_tube(surface);
+  Peeling peeling(surface, time, options);
+  while (!peeling.done()) {
+    peeling.peel_row();
+    report(run, peeling.progress());
+  }
+  return peeling.take_graph();
+}
+
+}  // namespace meshknit

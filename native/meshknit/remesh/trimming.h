@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "meshknit/remesh/front.h"
+#include "meshknit/remesh/geodesic_band.h"
+
+namespace meshknit {
+
+/// The part of a band that an accepted row covers: between two walls that lead from the active
+/// cycle (distance 0) up to the next cycle. All four are places along the active cycle.
+struct TrimRegion {
+  double begin_below, begin_above;
+  double end_below, end_above;
+};
+
+/// Marks the surface between the active cycle and an accepted row as knitted, and finds the new
+/// active cycle (paper, 3.2.4) by labels: the mesh is not cut.
+class Trimmer {
+ public:
+  Trimmer(PeelState& state, const std::vector<char>& last);
+
+  /// `regions` empty: the whole band up to `level`, whose level set is `next`. Pockets that a
+  /// row closes off are knitted over if they are smaller than a few stitches. Throws:
+  /// NotKnittable "splits-here" if what is left open falls apart.
+  Cycle trim(const GeodesicBand& band, const Cycle& active, const Cycle& next, double level,
+             const std::vector<TrimRegion>& regions);
+
+  /// Vertices that the last trim() knitted.
+  int newly_knitted() const { return newly_knitted_; }
+
+ private:
+  std::vector<int> front_edges(const Cycle& active, const std::vector<int>& knitted_now);
+  std::vector<Cycle> walk(const std::vector<int>& crossed);
+  bool close_pocket(const Cycle& island);
+  bool reopen_island(const Cycle& island, const std::vector<int>& knitted_now);
+
+  PeelState& state_;
+  const std::vector<char>& last_;
+  std::vector<char> seen_;  // per edge
+  int newly_knitted_ = 0;
+};
+
+}  // namespace meshknit
