@@ -1,8 +1,6 @@
 #include "meshknit/remesh/remesh.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "meshknit/core/error.h"
@@ -25,6 +23,26 @@ void require_one_tube(const Surface& surface) {
   throw NotKnittable({problem});
 }
 
+// More nodes than any bed holds or any night knits: nearly always a wrong unit. Refused before
+// memory runs out.
+constexpr double most_nodes = 300000.0;
+
+void require_sensible_size(const Surface& surface, const RemeshOptions& options) {
+  const double nodes = surface.area / (2.0 * options.stitch_height * options.stitch_width);
+  if (nodes <= most_nodes) return;
+  Problem problem;
+  problem.code = "too-many-stitches";
+  problem.message = "At this size the surface of " +
+                    std::to_string(std::lround(surface.area / 1e4) / 100.0).substr(0, 6) +
+                    " square metres takes " + std::to_string(std::lround(2.0 * nodes / 1e6)) +
+                    " million stitches.";
+  problem.remedy =
+      "Check the size or scale: lengths are taken as millimetres after scaling. At " +
+      std::to_string(static_cast<int>(100.0 * std::sqrt(most_nodes / nodes))) +
+      " % of this size it could be tried.";
+  throw NotKnittable({problem});
+}
+
 }  // namespace
 
 KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
@@ -34,6 +52,7 @@ KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
   if (!(options.stitch_width > 0.0) || !(options.stitch_height > 0.0))
     throw InvalidInput("remesh: stitch width and height must be positive");
   require_one_tube(surface);
+  require_sensible_size(surface, options);
   Peeling peeling(surface, time, options);
   while (!peeling.done()) {
     peeling.peel_row();
