@@ -32,10 +32,10 @@ void require_sensible_size(const Surface& surface, const RemeshOptions& options)
   if (nodes <= most_nodes) return;
   Problem problem;
   problem.code = "too-many-stitches";
-  problem.message = "At this size the surface of " +
-                    std::to_string(std::lround(surface.area / 1e4) / 100.0).substr(0, 6) +
-                    " square metres takes " + std::to_string(std::lround(2.0 * nodes / 1e6)) +
-                    " million stitches.";
+  problem.message = "At this size the surface has " +
+                    std::to_string(std::lround(surface.area / 1e6)) +
+                    " square metres, which take more than " +
+                    std::to_string(std::lround(2.0 * most_nodes)) + " stitches.";
   problem.remedy =
       "Check the size or scale: lengths are taken as millimetres after scaling. At " +
       std::to_string(static_cast<int>(100.0 * std::sqrt(most_nodes / nodes))) +
