@@ -37,6 +37,9 @@ class Peeling {
   };
 
   void start(const Surface& surface);
+  /// Nearest place on the active cycle of a place on the next one.
+  double foot_of(const NextCycle& next, double place) const;
+  std::vector<NodeRun> accept(const NextCycle& next, const Row& row) const;
   void link(const NextCycle& next, const std::vector<double>& images, Row& row) const;
   void keep_turns_apart(Row& row, const NextCycle& next,
                         const std::vector<double>& images) const;
