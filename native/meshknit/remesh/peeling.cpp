@@ -97,8 +97,10 @@ void Peeling::start(const Surface& surface) {
   row.cycle = active_.cycle;
   for (int i = 0; i < row.cycle.size(); ++i)
     row.time.push_back(state_.time[state_.from(row.cycle.crossings[i].halfedge)]);
+  // The boundary itself is measured: the cycle beside it zigzags a little.
+  const double wanted = surface.boundaries[a_first ? 0 : 1].length / options_.stitch_width;
+  const int count = std::max(3, static_cast<int>(std::lround(wanted)));
   const double length = row.cycle.length();
-  const int count = std::max(3, static_cast<int>(std::lround(length / options_.stitch_width)));
   Row first_row;
   for (int j = 0; j < count; ++j) {
     first_row.place.push_back(j * length / count);
@@ -139,11 +141,13 @@ void Peeling::peel_row() {
   knitted_ += trimmer_->newly_knitted();
   const std::vector<int> node_of = add_row(next, row);
   replace_active(next, row, node_of, std::move(cycle));
-  if (!height.last) return;
+  done_ = height.last;
+}
 
-  done_ = true;
-  relax_nodes(state_.mesh, state_.time, face_of_node_, graph_);
+KnitGraph Peeling::take_graph(const std::function<void(double)>& progress) {
+  relax_nodes(state_.mesh, state_.time, face_of_node_, graph_, progress);
   finish_graph(state_.mesh, face_of_node_, graph_);
+  return std::move(graph_);
 }
 
 double Peeling::foot_of(const NextCycle& next, double place) const {
