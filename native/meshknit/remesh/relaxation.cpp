@@ -19,7 +19,8 @@ struct Spring {
 }  // namespace
 
 void relax_nodes(const TriangleMesh& mesh, const std::vector<double>& time,
-                 std::vector<int>& faces, KnitGraph& graph, RunContext* run) {
+                 std::vector<int>& faces, KnitGraph& graph,
+                 const std::function<void(double)>& progress) {
   const std::size_t n = graph.nodes.size();
   std::vector<Spring> springs;
   for (const KnitRow& row : graph.rows)
@@ -33,7 +34,7 @@ void relax_nodes(const TriangleMesh& mesh, const std::vector<double>& time,
   }
   std::vector<Eigen::Vector3d> pull(n);
   for (int round = 0; round < rounds; ++round) {
-    report(run, static_cast<double>(round) / rounds);
+    if (progress) progress(static_cast<double>(round) / rounds);
     for (auto& p : pull) p.setZero();
     for (const Spring& s : springs) {
       const Eigen::Vector3d ab = graph.nodes[s.b].position - graph.nodes[s.a].position;

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
-#include "meshknit/core/run_context.h"
 #include "meshknit/knit_graph/knit_graph.h"
 #include "meshknit/surface/triangle_mesh.h"
 
@@ -13,8 +13,9 @@ namespace meshknit {
 /// columns beside shaping. The graph's edges stay as they are, and so do the nodes of first and
 /// last rows, which lie on boundaries. `faces` holds the triangle of every node, `time` the
 /// knitting time of every mesh vertex; both positions and times of the nodes are updated.
-/// Deterministic.
+/// `progress` is told the fraction that is done and may throw. Deterministic.
 void relax_nodes(const TriangleMesh& mesh, const std::vector<double>& time,
-                 std::vector<int>& faces, KnitGraph& graph, RunContext* run = nullptr);
+                 std::vector<int>& faces, KnitGraph& graph,
+                 const std::function<void(double)>& progress = {});
 
 }  // namespace meshknit

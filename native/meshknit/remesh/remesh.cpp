@@ -9,6 +9,9 @@
 namespace meshknit {
 namespace {
 
+// Part of the time that peeling takes; the rest is relaxation.
+constexpr double share_of_peeling = 0.75;
+
 void require_one_tube(const Surface& surface) {
   if (surface.boundaries.size() == 2 && surface.genus == 0) return;
   Problem problem;
@@ -53,12 +56,17 @@ KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
     throw InvalidInput("remesh: stitch width and height must be positive");
   require_one_tube(surface);
   require_sensible_size(surface, options);
+  report(run, 0.0);
   Peeling peeling(surface, time, options);
   while (!peeling.done()) {
+    report(run, share_of_peeling * peeling.progress());
     peeling.peel_row();
-    report(run, peeling.progress());
   }
-  return peeling.take_graph();
+  KnitGraph graph = peeling.take_graph([&](double fraction) {
+    report(run, share_of_peeling + (1.0 - share_of_peeling) * fraction);
+  });
+  report(run, 1.0);
+  return graph;
 }
 
 }  // namespace meshknit
