@@ -73,24 +73,6 @@ py::tuple row_edges(const KnitGraph& g) {
   return py::make_tuple(to_table(pairs, 2), to_array(of_short_row).attr("astype")("bool"));
 }
 
-const char* name_of(StitchKind kind) {
-  switch (kind) {
-    case StitchKind::start:
-      return "start";
-    case StitchKind::knit:
-      return "knit";
-    case StitchKind::increase:
-      return "increase";
-    case StitchKind::decrease:
-      return "decrease";
-    case StitchKind::tuck:
-      return "tuck";
-    case StitchKind::end:
-      return "end";
-  }
-  return "knit";
-}
-
 py::list stitches_to_python(const StitchTrace& trace) {
   py::list result;
   for (const Stitch& s : trace.stitches) {

@@ -14,8 +14,9 @@ namespace meshknit {
 /// up, in yarn order round a tube. A row is linked by a string with one letter a link, in the
 /// order of the front:
 ///
-///     |  one node over one        Y  two nodes over one (increase)        A  one node over two
-///     (decrease)
+///     |  one node over one
+///     Y  two nodes over one (increase)
+///     A  one node over two (decrease)
 ///
 /// Row edges are l_r long, columns 2 l_c; new nodes lie above the middle of their parents; a
 /// row's time is its height.
@@ -66,10 +67,9 @@ struct DrawnShortRow {
 KnitGraph tube_with_short_rows(int n, const std::vector<DrawnShortRow>& short_rows,
                                int rows_after = 2);
 
-KnitGraph one_short_row();  ///< 10 nodes round, 4 wide
-KnitGraph
-short_row_over_seam();  ///< covers the node list's end and beginning, where yarn goes up a row
-KnitGraph nested_short_rows();  ///< 8, then 6, then 4 wide, centred over each other
+KnitGraph one_short_row();        ///< 10 nodes round, 4 wide
+KnitGraph short_row_over_seam();  ///< covers where the node list ends and the yarn goes up
+KnitGraph nested_short_rows();    ///< 8, then 6, then 4 wide, centred over each other
 KnitGraph short_row_with_increase();
 KnitGraph stacked_short_rows(int k);  ///< k of them, ends directly above ends
 

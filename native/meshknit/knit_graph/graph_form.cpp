@@ -1,5 +1,6 @@
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "meshknit/knit_graph/knit_graph_checks.h"
 #include "meshknit/knit_graph/node_problem.h"

@@ -1,5 +1,6 @@
 #include "meshknit/knit_graph/knit_graph_text.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "meshknit/core/error.h"

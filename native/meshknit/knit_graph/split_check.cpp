@@ -1,6 +1,7 @@
 // Property 5: splits and merges happen between whole rows, one loop to one loop.
 
 #include <string>
+#include <utility>
 
 #include "meshknit/knit_graph/closed_row_links.h"
 #include "meshknit/knit_graph/knit_graph_checks.h"

@@ -9,7 +9,23 @@
 namespace meshknit {
 
 /// Knitout operations, with knitout's meaning (primer, section 2.1).
-enum class Op { in, out, inhook, releasehook, outhook, rack, knit, tuck, split, drop, amiss, xfer, miss, pause, extension };
+enum class Op {
+  in,
+  out,
+  inhook,
+  releasehook,
+  outhook,
+  rack,
+  knit,
+  tuck,
+  split,
+  drop,
+  amiss,
+  xfer,
+  miss,
+  pause,
+  extension
+};
 
 enum class Side { left, right };  ///< carriage travel: left is knitout's '-', right is '+'
 
@@ -21,17 +37,20 @@ struct Source {
 
 struct Instruction {
   Op op = Op::pause;
-  Side direction = Side::right;        ///< knit, tuck, split, miss
-  Needle needle;                       ///< all needle operations
-  Needle target;                       ///< split, xfer
-  std::vector<std::string> carriers;   ///< in, out, hooks, knit, tuck, split, miss
-  double racking = 0.0;                ///< rack
-  std::string text;                    ///< extension: the whole line as written, without comment
+  Side direction = Side::right;       ///< knit, tuck, split, miss
+  Needle needle;                      ///< all needle operations
+  Needle target;                      ///< split, xfer
+  std::vector<std::string> carriers;  ///< in, out, hooks, knit, tuck, split, miss
+  double racking = 0.0;               ///< rack
+  std::string text;  ///< extension (x-... or "stitch L T"): the line without comment, one space
+                     ///< between words
   Source source;
-  int line = 0;                        ///< in a file that was read, from 1
+  int line = 0;  ///< in a file that was read, from 1
 };
 
-/// A machine program: headers in order, then instructions.
+/// A machine program: headers in order, then instructions. An operation without a carrier is
+/// named by what it does (drop, amiss, xfer), not by its synonym. The racking is 0 at the
+/// start.
 struct Program {
   std::vector<std::pair<std::string, std::string>> headers;  ///< without "Carriers"
   std::vector<std::string> carriers;

@@ -6,7 +6,12 @@
 namespace meshknit {
 
 double forward(double a, double b, double length) {
-  const double d = std::fmod(b - a, length);
+  double d = b - a;
+  // Nearly always both places lie on the first lap.
+  if (d < 0.0) d += length;
+  if (d >= length) d -= length;
+  if (d >= 0.0 && d < length) return d;
+  d = std::fmod(d, length);
   return d < 0.0 ? d + length : d;
 }
 

@@ -66,8 +66,12 @@ class RowLinker {
     Move before[3] = {none, none, none};
   };
 
-  int active_at(int i) const { return (first_active_ + i) % m_; }
-  int next_at(int j) const { return (first_next_ + j) % n_; }
+  int active_at(int i) const { return wrapped(first_active_ + i, m_); }
+  int next_at(int j) const { return wrapped(first_next_ + j, n_); }
+  static int wrapped(int i, int n) {
+    while (i >= n) i -= n;
+    return i;
+  }
 
   void lay_band(int half_width) {
     low_.resize(m_ + 1);
@@ -101,8 +105,8 @@ class RowLinker {
   const Cell* at(int i, int j) const { return const_cast<RowLinker*>(this)->at(i, j); }
 
   double link(int i, int j) const {
-    const double l = link_length(p_, active_at(i), next_at(j)) / p_.row_height;
-    return l * l;
+    const double gap = p_.gap[next_at(j)], side = sideways(p_, active_at(i), next_at(j));
+    return (gap * gap + side * side) / (p_.row_height * p_.row_height);
   }
 
   void advance(int i, int j) {
@@ -147,10 +151,6 @@ double sideways(const LinkProblem& p, int active, int next) {
                 around(p.image[active], p.next[next], p.next_length));
 }
 
-double link_length(const LinkProblem& p, int active, int next) {
-  return std::hypot(p.gap[next], sideways(p, active, next));
-}
-
 std::array<int, 2> linkable_counts(const std::vector<char>& single) {
   const int m = static_cast<int>(single.size());
   const int first =
@@ -193,7 +193,7 @@ std::vector<Link> link_rows(const LinkProblem& problem) {
   }
   const std::array<std::array<int, 2>, 3> starts = {
       {{active, next}, {active, (next + n - 1) % n}, {(active + m - 1) % m, next}}};
-  for (const int half_width : {6 + n / 12, n}) {
+  for (const int half_width : {8 + n / 50, n}) {
     double least = infinity;
     std::vector<Link> links;
     for (const auto& start : starts) {

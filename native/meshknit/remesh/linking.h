@@ -26,8 +26,6 @@ using Link = std::array<int, 2>;
 
 /// Sideways distance of an active node and a next node, measured on both cycles and averaged.
 double sideways(const LinkProblem& problem, int active, int next);
-/// Length of the link: its gap and its sideways distance at a right angle.
-double link_length(const LinkProblem& problem, int active, int next);
 
 /// Fewest and most nodes that a next cycle may have so that links exist (Properties 3-5): each
 /// single node takes one, each other run of k nodes between ceil(k/2) and 2k.

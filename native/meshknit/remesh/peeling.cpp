@@ -6,7 +6,9 @@
 
 #include "meshknit/core/error.h"
 #include "meshknit/remesh/finish_graph.h"
+#include "meshknit/remesh/relaxation.h"
 #include "meshknit/remesh/sampling.h"
+#include "meshknit/remesh/start_cycle.h"
 #include "meshknit/surface/refine.h"
 
 namespace meshknit {
@@ -14,55 +16,26 @@ namespace {
 
 // Longest edge of the fine mesh, as a fraction of the smaller stitch dimension: rows bend no
 // more sharply than that.
-constexpr double fine_edge = 0.5;
+constexpr double fine_edge = 0.8;
 
 // Shortest short row: three nodes are 2 l_r long.
 constexpr int fewest_in_short_row = 3;
+
+// Shorter runs than this wait until they are two rows late: a sixth of the row, but at most a
+// dozen stitches, so that wide objects keep their detail.
+int worthwhile_run(int count) { return std::min(count / 6, 12); }
 
 // How far beyond its last node a short row's end reaches, as a fraction of the way to the next
 // node.
 constexpr double beyond_end = 0.1;
 
-std::vector<char> mark_boundary(const TriangleMesh& mesh, int vertex) {
-  std::vector<char> marked(mesh.n_vertices(), 0);
-  auto h = mesh.halfedge_handle(TriangleMesh::VertexHandle(vertex));
-  const auto first = h;
-  do {
-    marked[mesh.to_vertex_handle(h).idx()] = 1;
-    h = mesh.next_halfedge_handle(h);
-  } while (h != first);
-  return marked;
-}
-
-// The cycle just inside a boundary: it crosses the edges that leave the boundary's vertices,
-// very near to them.
-Cycle cycle_beside(PeelState& state, const std::vector<char>& boundary) {
-  constexpr double at = 0.005;
-  const auto knitted = [&](int v) { return boundary[v] != 0; };
-  Cycle cycle;
-  int first = -1;
-  for (const auto h : state.mesh.halfedges())
-    if (boundary[state.from(h.idx())] && !boundary[state.to(h.idx())]) {
-      first = h.idx();
-      break;
-    }
-  int h = first;
-  do {
-    cycle.crossings.push_back({h, at});
-    state.crossing[h >> 1] = at;
-    h = next_crossing(state.mesh, h, knitted);
-  } while (h != first);
-  measure_cycle(state, cycle);
-  return cycle;
-}
-
-double latest_time(const PeelState& state, const Cycle& cycle) {
-  double latest = -std::numeric_limits<double>::infinity();
+std::vector<double> times_of(const PeelState& state, const Cycle& cycle) {
+  std::vector<double> times;
   for (const EdgeCrossing& c : cycle.crossings) {
     const double u = state.time[state.from(c.halfedge)], w = state.time[state.to(c.halfedge)];
-    latest = std::max(latest, u + c.t * (w - u));
+    times.push_back(u + c.t * (w - u));
   }
-  return latest;
+  return times;
 }
 
 // The triangle that a cycle's piece after this crossing lies in: the one right of the half
@@ -124,8 +97,10 @@ void Peeling::start(const Surface& surface) {
   row.cycle = active_.cycle;
   for (int i = 0; i < row.cycle.size(); ++i)
     row.time.push_back(state_.time[state_.from(row.cycle.crossings[i].halfedge)]);
+  // The boundary itself is measured: the cycle beside it zigzags a little.
+  const double wanted = surface.boundaries[a_first ? 0 : 1].length / options_.stitch_width;
+  const int count = std::max(3, static_cast<int>(std::lround(wanted)));
   const double length = row.cycle.length();
-  const int count = std::max(3, static_cast<int>(std::lround(length / options_.stitch_width)));
   Row first_row;
   for (int j = 0; j < count; ++j) {
     first_row.place.push_back(j * length / count);
@@ -143,7 +118,7 @@ double Peeling::progress() const {
 void Peeling::peel_row() {
   const RowHeights::Next height = heights_->next(state_, active_.cycle);
   const double infinity = std::numeric_limits<double>::infinity();
-  band_->measure(active_.cycle, height.last ? infinity : 1.6 * height.height);
+  band_->measure(active_.cycle, height.last ? infinity : 1.2 * height.height);
   const double level = height.last ? infinity : height.height;
   std::vector<NextCycle> cycles = slicer_->slice(*band_, active_.cycle, level);
   if (cycles.empty()) throw BrokenPromise("slicing found no next cycle");
@@ -154,9 +129,7 @@ void Peeling::peel_row() {
   row.place = sample_next_row(active_, next, images, options_.stitch_width);
   for (const double place : row.place)
     row.time.push_back(next.cycle.value(next.cycle.at(place), next.time));
-  if (!height.last)
-    row.runs =
-        accept_by_time(row.time, latest_time(state_, active_.cycle), fewest_in_short_row);
+  if (!height.last) row.runs = accept(next, row);
   keep_turns_apart(row, next, images);
 
   Cycle cycle = trimmer_->trim(*band_, active_.cycle, next.cycle, level, regions(next, row));
@@ -168,10 +141,32 @@ void Peeling::peel_row() {
   knitted_ += trimmer_->newly_knitted();
   const std::vector<int> node_of = add_row(next, row);
   replace_active(next, row, node_of, std::move(cycle));
-  if (!height.last) return;
+  done_ = height.last;
+}
 
-  done_ = true;
+KnitGraph Peeling::take_graph(const std::function<void(double)>& progress) {
+  relax_nodes(state_.mesh, state_.time, face_of_node_, graph_, progress);
   finish_graph(state_.mesh, face_of_node_, graph_);
+  return std::move(graph_);
+}
+
+double Peeling::foot_of(const NextCycle& next, double place) const {
+  const CyclePoint p = next.cycle.at(place);
+  const double a = next.foot[p.piece], b = next.foot[(p.piece + 1) % next.cycle.size()];
+  return a + p.along * around(a, b, active_.cycle.length());
+}
+
+std::vector<NodeRun> Peeling::accept(const NextCycle& next, const Row& row) const {
+  const Cycle& active = active_.cycle;
+  const std::vector<double> active_times = times_of(state_, active);
+  std::vector<double> gains;
+  for (std::size_t j = 0; j < row.place.size(); ++j) {
+    const CyclePoint below = active.at(foot_of(next, row.place[j]));
+    gains.push_back(row.time[j] - active.value(below, active_times));
+  }
+  return accept_by_time(row.time, gains,
+                        *std::max_element(active_times.begin(), active_times.end()),
+                        fewest_in_short_row, worthwhile_run(static_cast<int>(gains.size())));
 }
 
 void Peeling::link(const NextCycle& next, const std::vector<double>& images, Row& row) const {
@@ -188,10 +183,8 @@ void Peeling::link(const NextCycle& next, const std::vector<double>& images, Row
   problem.active_length = active_.cycle.length();
   problem.next = row.place;
   for (const double place : row.place) {
-    const CyclePoint p = next.cycle.at(place);
-    const double a = next.foot[p.piece], b = next.foot[(p.piece + 1) % next.cycle.size()];
-    problem.foot.push_back(a + p.along * around(a, b, problem.active_length));
-    problem.gap.push_back(next.cycle.value(p, next.gap));
+    problem.foot.push_back(foot_of(next, place));
+    problem.gap.push_back(next.cycle.value(next.cycle.at(place), next.gap));
   }
   problem.next_single = row.single;
   problem.next_length = next.cycle.length();
@@ -232,11 +225,7 @@ std::vector<TrimRegion> Peeling::regions(const NextCycle& next, const Row& row) 
   const int count = static_cast<int>(row.place.size());
   const int active_count = static_cast<int>(active_.nodes.size());
   const double length = active_.cycle.length(), spacing = next.cycle.length() / count;
-  const auto foot_at = [&](double place) {
-    const CyclePoint p = next.cycle.at(place);
-    const double a = next.foot[p.piece], b = next.foot[(p.piece + 1) % next.cycle.size()];
-    return forward(0.0, a + p.along * around(a, b, length), length);
-  };
+  const auto foot_at = [&](double place) { return forward(0.0, foot_of(next, place), length); };
   std::vector<TrimRegion> regions;
   for (const NodeRun& run : row.runs) {
     const int a = partner_of(row.links, run.first), b = partner_of(row.links, run.last);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,10 +22,12 @@ class Peeling {
   Peeling(const Surface& surface, const std::vector<double>& time,
           const RemeshOptions& options);
 
-  bool done() const { return done_; }
-  double progress() const;  ///< fraction of the surface that is knitted
+  bool done() const { return done_; }  ///< the last row is peeled
+  double progress() const;             ///< fraction of the surface that is knitted
   void peel_row();
-  KnitGraph take_graph() { return std::move(graph_); }
+  /// Relaxes and measures the graph. Requires: done(). Call once. `progress` as in
+  /// relaxation.h.
+  KnitGraph take_graph(const std::function<void(double)>& progress = {});
 
  private:
   // The next row before it is part of the graph.
@@ -37,6 +40,9 @@ class Peeling {
   };
 
   void start(const Surface& surface);
+  /// Nearest place on the active cycle of a place on the next one.
+  double foot_of(const NextCycle& next, double place) const;
+  std::vector<NodeRun> accept(const NextCycle& next, const Row& row) const;
   void link(const NextCycle& next, const std::vector<double>& images, Row& row) const;
   void keep_turns_apart(Row& row, const NextCycle& next,
                         const std::vector<double>& images) const;

@@ -14,12 +14,13 @@ struct RemeshOptions {
   double stitch_height = 1.73;  ///< l_c
 };
 
-/// Surface and knitting time -> knit graph (paper, section 3.2): rows are peeled off at
-/// geodesic distance 2 l_c from the active cycle, cut to short rows by time, linked and
-/// trimmed, from the early to the late boundary. Requires: surface without errors; time per
-/// mesh vertex with check_time_field(...) free of errors. Throws: NotKnittable
-/// ("needs-one-tube" for surfaces other than one tube, and reasons that name the place);
-/// InvalidInput; Cancelled. Ensures: check_knit_graph(result) has no errors.
+/// Surface and knitting time -> knit graph (paper, section 3.2): rows are peeled off at geodesic
+/// distance 2 l_c from the active cycle, cut to short rows by time, linked and trimmed, from the
+/// early to the late boundary; then node positions are relaxed.
+/// Requires: a surface without errors; time per mesh vertex with check_time_field(...) free of errors.
+/// Throws: NotKnittable ("needs-one-tube" for surfaces other than one tube, "too-many-stitches" for
+/// sizes that are nearly always a wrong unit, and reasons that name the place); InvalidInput; Cancelled.
+/// Ensures: check_knit_graph(result) has no errors.
 KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
                  const RemeshOptions& options = {}, RunContext* run = nullptr);
 

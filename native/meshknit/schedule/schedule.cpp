@@ -13,6 +13,11 @@
 namespace meshknit {
 namespace {
 
+void sort_unique(std::vector<int>& nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+}
+
 int fewest_places(int slots) { return (slots + 1) / 2; }
 
 void refuse_too_wide(const StitchTrace& trace, const TubeSteps& tube,
@@ -41,8 +46,48 @@ void refuse_too_wide(const StitchTrace& trace, const TubeSteps& tube,
   std::vector<int>& nodes = problem.elements.nodes;
   for (const LoopStack& stack : hanging)
     for (const LoopName& loop : stack) nodes.push_back(trace.stitches[loop.stitch].node);
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_unique(nodes);
+  throw NotKnittable({problem});
+}
+
+// Loops on every needle at the fullest moment of a step: decreases and tucks pile up.
+std::vector<int> stack_heights(const StitchTrace& trace, const TubeStep& step) {
+  std::vector<int> heights(step.map.slots(), 0);
+  for (int stack = 0; stack < step.map.stacks(); ++stack)
+    heights[step.map.slot_of(stack) % step.map.slots()] +=
+        static_cast<int>(step.before[stack].size());
+  for (int s = step.first_stitch; s <= step.last_stitch; ++s)
+    if (trace.stitches[s].kind == StitchKind::tuck)
+      ++heights[step.stitch_slot[s - step.first_stitch]];
+  return heights;
+}
+
+void refuse_tall_stacks(const StitchTrace& trace, const TubeSteps& tube,
+                        const MachineProfile& profile) {
+  Problem problem;
+  problem.code = "stack-too-high";
+  int tallest = 0;
+  for (const TubeStep& step : tube.steps) {
+    const std::vector<int> heights = stack_heights(trace, step);
+    for (int s = step.first_stitch; s <= step.last_stitch; ++s) {
+      const StitchKind kind = trace.stitches[s].kind;
+      if (kind != StitchKind::tuck && kind != StitchKind::decrease) continue;
+      const int height = heights[step.stitch_slot[s - step.first_stitch]];
+      if (height <= profile.max_stack) continue;
+      tallest = std::max(tallest, height);
+      problem.elements.stitches.push_back(s);
+      problem.elements.nodes.push_back(trace.stitches[s].node);
+    }
+  }
+  if (tallest == 0) return;
+  sort_unique(problem.elements.nodes);
+  problem.message = "At " + std::to_string(problem.elements.nodes.size()) +
+                    " nodes short rows or decreases end on top of each other: up to " +
+                    std::to_string(tallest) + " loops on a needle that holds " +
+                    std::to_string(profile.max_stack) + ".";
+  problem.remedy =
+      "Change the knitting times or the stitch size there, so that short rows end further "
+      "apart.";
   throw NotKnittable({problem});
 }
 
@@ -75,6 +120,7 @@ Schedule schedule_stitches(const StitchTrace& trace, const MachineProfile& profi
   if (trace.stitches.empty()) return schedule;
   TubeSteps tube = replay_tube(trace);
   refuse_too_wide(trace, tube, profile);
+  refuse_tall_stacks(trace, tube, profile);
 
   // A step that neither increases nor decreases keeps the layout of the step before. That loses
   // nothing: rolls and shifts of one move are never more than those of the same move made in

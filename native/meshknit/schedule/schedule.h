@@ -38,7 +38,7 @@ struct ScheduleStep {
   std::vector<LoopStack> before;
   std::vector<Hook> before_hooks;
   std::vector<Hook> moved_hooks;
-  std::vector<Hook> stitch_hooks;  ///< where each stitch of the step is made
+  std::vector<Hook> stitch_hooks;       ///< where each stitch of the step is made
   std::vector<Hook> second_loop_hooks;  ///< of increases; otherwise the stitch's own hook
 };
 
@@ -63,10 +63,11 @@ struct Schedule {
 /// moves by more than two places, which no single racking makes, are avoided before shifts.
 /// Requires: check_trace finds nothing for the trace.
 /// Throws: NotKnittable "too-wide" naming the widest row's nodes and the largest scale that
-/// fits; "too-narrow" for a row of fewer than two loops; "needs-one-tube" for more than one
-/// yarn, start, split or merge; Cancelled.
-/// Ensures: check_schedule(trace, result, profile) finds nothing. `optimal` is false if the
-/// tube would walk off the bed and some moves had to be worse than their best to keep it there.
+/// fits; "too-narrow" for a row of fewer than two loops; "stack-too-high" naming the nodes
+/// where tucks and decreases pile up more loops than a needle holds; "needs-one-tube" for more
+/// than one yarn, start, split or merge; Cancelled. Ensures: check_schedule(trace, result,
+/// profile) finds nothing. `optimal` is false if the tube would walk off the bed and some moves
+/// had to be worse than their best to keep it there.
 Schedule schedule_stitches(const StitchTrace& trace, const MachineProfile& profile,
                            RunContext* run = nullptr);
 

@@ -13,6 +13,9 @@ enum class StitchKind {
   end        ///< no children: the object ends here
 };
 
+/// The kind's name in the stitches file: "start", "knit", ...
+const char* name_of(StitchKind kind);
+
 /// Seen from above the beds. Clockwise runs leftward along the front bed and rightward along
 /// the back; anticlockwise is the yarn order of the knit graph's rows.
 ///

@@ -1,6 +1,7 @@
 // Promises that stitches keep among themselves, whatever the graph.
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 

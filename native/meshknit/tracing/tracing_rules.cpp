@@ -46,8 +46,7 @@ bool move_to_next_row(TraceState& state) {
   if (above.empty()) return false;
   const Direction direction = state.direction();
   const int ready = direction == Direction::anticlockwise ? above.back() : above.front();
-  const int row = state.walk().place(ready).row;
-  if (!state.is_ready(row) || state.is_begun(row)) return false;
+  if (!state.is_ready(state.walk().place(ready).row)) return false;
 
   const int neighbour = state.ahead(ready, direction);
   if (neighbour >= 0) {

@@ -8,15 +8,14 @@ namespace meshknit {
 /// numbers. A rule that applies makes its stitches and returns true; otherwise it changes
 /// nothing. They are to be tried in order.
 ///
-/// Two readings of ours:
-/// - "The current stitch's neighbour" and "the parent's row-wise next node", on which a short
-/// row is tucked, are the
-///   loop that hangs ahead of the current stitch at that moment. Where both exist they are the
-///   same; the loop also exists where the parent itself ends a short row.
-/// - A stitch that makes two loops goes on above the one that lies ahead.
+/// Two readings of ours. "The current stitch's neighbour" and "the parent's row-wise next
+/// node", on which a short row is tucked, are the loop that hangs ahead of the current stitch
+/// at that moment: where both exist they are the same, and the loop also exists where the
+/// parent itself ends a short row. And a stitch that makes two loops goes on above the one that
+/// lies ahead.
 
-/// Rule 1. Without a current yarn: begins one at a node that is knit once (the rest of a row
-/// whose yarn went up at a split), else at the first node of a ready row; lowest row first.
+/// Rule 1. Without a current yarn: begins one in the lowest row that is ready, at its first
+/// node, or that was left half done at a split, at its first node that is knit once.
 bool start_yarn(TraceState& state);
 
 /// Rule 2. After a node's second stitch, with a ready row above: knits the neighbour of the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "meshknit/knit_graph/rows.h"
 #include "meshknit/tracing/knit_twice.h"

@@ -14,6 +14,10 @@ class Walk {
     const int reach = tube.stacks[block.last].place - stack_.place;
     lowest_ = tube.lowest - std::min(0, reach);
     highest_ = tube.highest - std::max(0, reach);
+    for (std::size_t k = passes.size(); k-- > 0;) {
+      leaves_later_[k] = leaves_later_[k + 1];
+      leaves_later_[k][passes[k].from == Bed::back] = true;
+    }
     way_.stops[0] = {stack_.side, stack_.place, false};
     step(0);
   }
@@ -27,7 +31,7 @@ class Walk {
       if (!here.parked && (ending_ == Ending::any_hook || home)) found.push_back(way_);
       return;
     }
-    if (ending_ == Ending::goal && too_late(here, static_cast<int>(passes_.size() - k))) return;
+    if (ending_ == Ending::goal && too_late(here, k)) return;
     way_.stops[k + 1] = here;
     step(k + 1);
     if (here.bed() != passes_[k].from) return;
@@ -46,18 +50,21 @@ class Walk {
     --way_.transfers;
   }
 
-  // A stack needs a pass for each end to go round and one to come back from parking; from a
-  // wrong hook on its own side it needs two.
-  bool too_late(const Stop& here, int passes_left) const {
+  // A parked stack needs a pass back; one on a wrong hook of its own side needs one away and
+  // one back.
+  bool too_late(const Stop& here, std::size_t k) const {
+    const int left = static_cast<int>(passes_.size() - k);
     const int ends = std::abs(stack_.goal_side - here.side);
-    if (here.parked) return ends + 1 > passes_left;
-    return ends > 0 ? ends > passes_left : here.place != stack_.goal && passes_left < 2;
+    if (here.parked) return ends + 1 > left || !leaves_later_[k][here.bed() == Bed::back];
+    if (ends > 0) return ends > left;
+    return here.place != stack_.goal && !(leaves_later_[k][0] && leaves_later_[k][1]);
   }
 
   const Stack& stack_;
   const Passes& passes_;
   Ending ending_;
   int lowest_ = 0, highest_ = 0;
+  std::array<std::array<bool, 2>, most_passes + 1> leaves_later_{};  // [pass][front, back]
   Itinerary way_;
 };
 

@@ -1,5 +1,7 @@
 #include "meshknit/transfer/pass_search.h"
 
+#include <algorithm>
+
 #include "meshknit/transfer/pass_sequences.h"
 
 namespace meshknit {
@@ -11,6 +13,12 @@ std::optional<PassPlan> first_that_works(PassAssigner& assigner,
     if (std::optional<Assignment> assignment = assigner.to_goals(passes))
       return PassPlan{passes, std::move(*assignment)};
   return std::nullopt;
+}
+
+// Legs are even rackings only, with which no loop changes beds.
+bool goes_round_an_end(const Tube& tube) {
+  return std::any_of(tube.stacks.begin(), tube.stacks.end(),
+                     [](const Stack& stack) { return stack.roll() != 0; });
 }
 
 }  // namespace
@@ -32,6 +40,7 @@ std::optional<PassPlan> search_passes(const Tube& tube) {
     PassSequences sequences;
     if (all) sequences = sequences_of_length(tube, length);
     all = all && !sequences.gave_up;
+    if (!all && goes_round_an_end(tube)) return std::nullopt;
     if (!all) sequences.sequences = sequences_in_legs(tube, length);
     if (auto plan = first_that_works(assigner, sequences.sequences)) return plan;
   }

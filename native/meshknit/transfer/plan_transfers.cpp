@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "meshknit/core/error.h"
@@ -53,6 +54,43 @@ NotKnittable no_way() {
       {})});
 }
 
+// Passes, then racking travel, then transfers.
+std::tuple<int, int, std::size_t> cost(const TransferPlan& plan) {
+  Passes passes;
+  for (const Transfer& transfer : plan.transfers)
+    passes.push_back({transfer.from.bed, racking_of(transfer)});
+  return {count_passes(plan), racking_travel(passes), plan.transfers.size()};
+}
+
+// Collapse-shift-expand until all loops have arrived, or until a search finds the rest of the
+// way.
+std::optional<TransferPlan> plan_in_steps(Tube tube, bool search_the_rest) {
+  TransferPlan plan;
+  while (!tube.arrived()) {
+    std::optional<PassPlan> step;
+    if (search_the_rest && !plan.transfers.empty()) step = search_passes(tube);
+    if (!step) step = collapse_shift_expand(tube);
+    if (!step) return std::nullopt;
+    advance(tube, *step, plan);
+  }
+  return plan;
+}
+
+std::optional<TransferPlan> cheapest_plan(Tube tube) {
+  if (tube.arrived()) return TransferPlan{};
+  if (const std::optional<PassPlan> whole = search_passes(tube)) {
+    TransferPlan plan;
+    advance(tube, *whole, plan);
+    return plan;
+  }
+  // Neither is always better: a search makes the rest short, while steps of one kind often
+  // share the pass between them.
+  const std::optional<TransferPlan> searched = plan_in_steps(tube, true);
+  const std::optional<TransferPlan> stepped = plan_in_steps(tube, false);
+  if (!searched || !stepped) return searched ? searched : stepped;
+  return cost(*stepped) < cost(*searched) ? stepped : searched;
+}
+
 }  // namespace
 
 TransferPlan plan_transfers(const TransferProblem& problem) {
@@ -62,14 +100,9 @@ TransferPlan plan_transfers(const TransferProblem& problem) {
   if (Problems stretched = stretched_layouts(problem); !stretched.empty())
     throw NotKnittable(std::move(stretched));
 
-  TransferPlan plan;
-  Tube tube = make_tube(problem);
-  while (!tube.arrived()) {
-    std::optional<PassPlan> step = search_passes(tube);
-    if (!step) step = collapse_shift_expand(tube);
-    if (!step) throw no_way();
-    advance(tube, *step, plan);
-  }
+  const std::optional<TransferPlan> found = cheapest_plan(make_tube(problem));
+  if (!found) throw no_way();
+  const TransferPlan& plan = *found;
   if (const Problems broken = check_transfer_plan(problem, plan); !broken.empty())
     throw BrokenPromise("a transfer plan failed its replay: " + broken.front().message);
   return plan;

@@ -14,7 +14,7 @@ Problem make(Severity severity, const std::string& code, int line, const std::st
   Problem problem;
   problem.code = code;
   problem.severity = severity;
-  problem.message = line > 0 ? "Line " + std::to_string(line) + ": " + text : text;
+  problem.message = (line > 0 ? "Line " + std::to_string(line) + ": " : "") + text + ".";
   problem.remedy = remedy.empty() ? kReport : remedy;
   if (line > 0) problem.elements.lines = {line};
   for (const int stitch : stitches) {

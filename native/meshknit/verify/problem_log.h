@@ -14,7 +14,8 @@ class ProblemLog {
  public:
   static constexpr int kKept = 20;
 
-  /// `text` is a sentence that goes on after "Line N: " (alone if line is 0).
+  /// `text` is a sentence that goes on after "Line N: " (alone if line is 0), without its full
+  /// stop.
   void error(const std::string& code, int line, const std::string& text,
              const std::vector<int>& stitches = {}, const std::string& remedy = "");
   void warning(const std::string& code, int line, const std::string& text,

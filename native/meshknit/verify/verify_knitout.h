@@ -24,6 +24,13 @@ struct VerifyReport {
 /// rebuilds every loop with its parents and yarn and compares, carrier by carrier and item by
 /// item, with the trace. Looks at nothing but its three arguments. Never throws on any text
 /// (but Cancelled).
+///
+/// What it takes for granted beyond the primer:
+///  - one tube, one carrier a loop; any number of yarns, in the trace's order of first loops;
+///  - stitches are made while the tube lies flat (verify/tube_order.h), anchors not counted;
+///  - a tuck on the other bed than the loop before it may be made before or after the turn;
+///  - an end stitch's loop is knit through by waste, or dropped after its yarn went out;
+///  - yarn to a loop that is gone counts from the needle where that loop last hung.
 VerifyReport verify_knitout(std::string_view text, const MachineProfile& profile,
                             const StitchTrace& trace, RunContext* run = nullptr);
 

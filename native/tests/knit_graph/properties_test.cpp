@@ -38,12 +38,12 @@ TEST(HelixFree, OnlyTheRowsOfTheCycleAreNamed) {
   GraphDrawing drawing;
   auto front = drawing.cast_on(6);
   for (int i = 0; i < 4; ++i) front = drawing.closed_row(front, links(6));
-  // From row 2 back into row 1; rows 3 and 4 above are innocent.
-  drawing.add_column(drawing.row(2).nodes[5], drawing.row(1).nodes[0]);
+  // From row 3 back into row 2; row 4 above and rows 0 and 1 below are innocent.
+  drawing.add_column(drawing.row(3).nodes[5], drawing.row(2).nodes[0]);
   const Problems problems = check_helix_free(drawing.graph());
   ASSERT_EQ(problems.size(), 1u);
-  std::vector<int> wanted = drawing.row(1).nodes;
-  wanted.insert(wanted.end(), drawing.row(2).nodes.begin(), drawing.row(2).nodes.end());
+  std::vector<int> wanted = drawing.row(2).nodes;
+  wanted.insert(wanted.end(), drawing.row(3).nodes.begin(), drawing.row(3).nodes.end());
   EXPECT_EQ(problems[0].elements.nodes, wanted);
 }
 

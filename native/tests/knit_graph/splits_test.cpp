@@ -92,9 +92,17 @@ TEST(SplitLayout, SideBySideHangsButInsideOutDoesNot) {
 }
 
 TEST(SplitLayout, TwoTubesMayMergeAndPartInOneRow) {
-  // Tubes {0..3, 4..7} and {8..11}; above them {0..3} and {4..7, 8..11}: a chain side by side.
+  // Below, tubes of 0-7 and of 8-11 side by side; above, 0-3 on the left and the rest on the
+  // right, which has the second tube's loops between its own 5 and 6.
   EXPECT_TRUE(has_common_layout(
       {{0, 1, 2, 3, 4, 5, 6, 7}, {8, 9, 10, 11}, {0, 1, 2, 3}, {4, 5, 8, 9, 10, 11, 6, 7}}));
+}
+
+TEST(SplitLayout, TwoLoopsDoNotShareANeedle) {
+  // The tube of 3-5 and 6-8 would have to go on from 5 with 6 where the lower tube goes on from
+  // 5 with 0.
+  EXPECT_FALSE(
+      has_common_layout({{0, 1, 2, 3, 4, 5}, {6, 7, 8}, {0, 1, 2}, {3, 4, 5, 6, 7, 8}}));
 }
 
 }  // namespace

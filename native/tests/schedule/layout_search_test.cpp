@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "meshknit/schedule/layout_cost.h"
-#include "schedule/tube_knitter.h"
+#include "schedule/random_map.h"
 
 namespace meshknit {
 namespace {
@@ -77,28 +77,6 @@ Cost cost_of_way(const std::vector<BedLayout>& way, const std::vector<SlotMap>& 
   for (size_t i = 0; i < maps.size(); ++i)
     cost = cost + cost_of_move(maps[i], way[i], way[i + 1]) + alignment(way[i + 1]);
   return cost;
-}
-
-// A random step: every stack may be decreased with the one before it or followed by a gap.
-SlotMap random_map(Dice& dice, int stacks) {
-  std::vector<int> slot_of_stack;
-  int slots = 0;
-  bool joined = true;
-  for (int i = 0; i < stacks; ++i) {
-    const int choice = dice.roll(5);
-    if (choice == 0 && !joined && slots + stacks - i > 3) {
-      slot_of_stack.push_back(slots - 1);
-      joined = true;
-      continue;
-    }
-    slot_of_stack.push_back(slots++);
-    joined = false;
-    if (choice == 1) {
-      ++slots;
-      joined = true;
-    }
-  }
-  return {slot_of_stack, slots};
 }
 
 TEST(LayoutSearch, FindsWhatExhaustiveSearchFinds) {

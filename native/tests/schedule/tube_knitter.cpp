@@ -1,6 +1,6 @@
 #include "schedule/tube_knitter.h"
 
-#include <algorithm>
+#include "graphs.h"
 
 namespace meshknit {
 
@@ -97,7 +97,7 @@ StitchTrace TubeKnitter::end() {
   return trace_;
 }
 
-StitchTrace random_tube(std::uint32_t seed, int loops, int rounds, int rarity) {
+StitchTrace knit_random_tube(std::uint32_t seed, int loops, int rounds, int rarity) {
   Dice dice(seed);
   TubeKnitter tube(loops);
   for (int r = 0; r < rounds; ++r) {
@@ -140,13 +140,13 @@ StitchTrace random_tube(std::uint32_t seed, int loops, int rounds, int rarity) {
   return tube.end();
 }
 
-StitchTrace one_sided_cone(int loops, int least) {
+StitchTrace knit_one_sided_cone(int loops, int least) {
   TubeKnitter tube(loops);
   while (tube.loops() > least) tube.decrease().knit(tube.loops() - 1);
   return tube.end();
 }
 
-StitchTrace plain_tube(int loops, int rounds) {
+StitchTrace knit_plain_tube(int loops, int rounds) {
   TubeKnitter tube(loops);
   for (int r = 2; r < rounds; ++r) tube.round();
   return tube.end();

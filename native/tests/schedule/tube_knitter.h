@@ -42,28 +42,14 @@ class TubeKnitter {
   Direction direction_ = Direction::anticlockwise;
 };
 
-/// Random numbers that are the same everywhere.
-class Dice {
- public:
-  explicit Dice(std::uint32_t seed) : state_(seed * 2654435761u + 12345u) {}
-  /// 0 <= result < sides
-  int roll(int sides) {
-    state_ = state_ * 1664525u + 1013904223u;
-    return static_cast<int>((state_ >> 8) % static_cast<std::uint32_t>(sides));
-  }
-
- private:
-  std::uint32_t state_;
-};
-
 /// A tube with random increases, decreases and short rows; shaping goes with probability about
 /// 1/rarity a stitch.
-StitchTrace random_tube(std::uint32_t seed, int loops, int rounds, int rarity);
+StitchTrace knit_random_tube(std::uint32_t seed, int loops, int rounds, int rarity);
 
 /// A tube that loses a loop a round, always at the same side, from `loops` down to `least`.
-StitchTrace one_sided_cone(int loops, int least);
+StitchTrace knit_one_sided_cone(int loops, int least);
 
 /// `rounds` plain rounds over `loops` loops, start and end rounds included.
-StitchTrace plain_tube(int loops, int rounds);
+StitchTrace knit_plain_tube(int loops, int rounds);
 
 }  // namespace meshknit

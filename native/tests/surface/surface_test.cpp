@@ -115,6 +115,15 @@ TEST(MakeSurface, TwoPartsWithMatchingRimsAreSewnButPartsThatTouchInAPointAreNot
   EXPECT_EQ(touching.components, 2);
 }
 
+TEST(MakeSurface, WhereThreeRimsCoincideNobodyCanTellWhichTwoBelongTogether) {
+  TubeShape flared;
+  flared.radius = [](double z) { return 20.0 + z; };
+  const MeshArrays two = side_by_side(tube(), tube(), {0.0, 0.0, -100.0});
+  const Surface surface = surface_of(side_by_side(two, tube(flared), {0.0, 0.0, 0.0}));
+  EXPECT_EQ(find_problem(surface.problems, "doubled-vertices"), nullptr);
+  EXPECT_EQ(surface.components, 3);
+}
+
 TEST(MakeSurface, SeveralPiecesAreRefusedNamingTheSmallOnes) {
   MeshArrays small = tube({6, 2});
   const Surface surface = surface_of(side_by_side(small, tube(), {200.0, 0.0, 0.0}));

@@ -100,6 +100,24 @@ TEST(TimeField, HasNoFalseExtremaOnSlivers) {
   EXPECT_EQ(field_of(surface_of(tube(shape)), {-1.0, 1.0}).check.extrema, 0);
 }
 
+TEST(TimeField, FallsBackToTheMeshsOwnNeighboursWhereTheShapeTrueFieldFails) {
+  // Six-sided and deeply waved: many of the flips join vertices that are no neighbours on the
+  // mesh, and an average of those may stick out among the mesh's neighbours.
+  TubeShape shape;
+  shape.around = 6;
+  shape.along = 12;
+  shape.length = 20.0;
+  shape.radius = [](double z) { return 50.0 + 30.0 * std::sin(0.45 * z); };
+  shape.jitter = 0.3;
+  const Surface surface = surface_of(tube(shape));
+  const TimeFieldSolver shape_true(
+      surface, {surface.boundaries[0].vertices, surface.boundaries[1].vertices});
+  ASSERT_GT(check_time_field(surface, shape_true.solve({-1.0, 1.0})).extrema, 0);
+  const TimeField field = field_of(surface, {-1.0, 1.0});
+  EXPECT_EQ(field.check.extrema, 0);
+  EXPECT_EQ(field.check.saddles, 0);
+}
+
 // A flat ring with a closed square finger, 40 times as long as wide, standing on it.
 MeshArrays ring_with_finger() {
   MeshArrays arrays = grid(9, 9, 5.0, [](int c, int r) {

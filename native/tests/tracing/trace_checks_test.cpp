@@ -132,6 +132,39 @@ TEST_F(TraceChecks, ATuckStandsBehindItsLoop) {
   EXPECT_EQ(code(), "tuck-order");
 }
 
+TEST_F(TraceChecks, TucksOnOneLoopStandInTheOrderOfMaking) {
+  // Both short rows over nodes 3-6 turn beside node 7.
+  graph_ = stacked_short_rows(2);
+  trace_ = trace_knit_graph(graph_);
+  std::vector<int>& parents =
+      trace_.stitches[trace_.stitches[find(StitchKind::tuck)].children[0]].parents;
+  ASSERT_EQ(parents.size(), 3u);
+  std::swap(parents[1], parents[2]);
+  EXPECT_EQ(code(), "tuck-order");
+}
+
+TEST_F(TraceChecks, ATuckBesideADecreaseKeepsToItsLoop) {
+  // Nodes 0-9, a short row over 3-6 that tucks on 2, and a decrease over 1 and 2.
+  GraphDrawing drawing;
+  auto front = drawing.cast_on(10);
+  front = drawing.short_row(front, 3, "||||");
+  drawing.closed_row(front, "|A|||||||");
+  graph_ = drawing.graph();
+  trace_ = trace_knit_graph(graph_);
+  ASSERT_EQ(code(), "");
+  std::vector<int>& parents = trace_.stitches[find(StitchKind::decrease)].parents;
+  ASSERT_EQ(parents.size(), 3u);
+  std::swap(parents[1], parents[2]);
+  trace_.stitches[parents[1]].node = 1;
+  EXPECT_EQ(code(), "tuck-misplaced");
+}
+
+TEST_F(TraceChecks, AfterATuckTheYarnComesBack) {
+  const int tuck = find(StitchKind::tuck);
+  exchange(tuck + 1, tuck + 2);
+  EXPECT_EQ(code(), "tuck-misplaced");
+}
+
 TEST_F(TraceChecks, TheYarnDoesNotSkipAStitch) {
   // Stitches 20 and 21 lie side by side in one round.
   exchange(20, 21);

@@ -165,6 +165,10 @@ const std::vector<Broken>& further() {
          k.before("inhook 5", {"in 6"})
              .replace("knit - f16 5 ;!source: stitch 8", "knit - f16 5 6 ;!source: stitch 8");
        }},
+      {"carrier used without the one it came in with", "wrong-first-set",
+       [](auto& k) {
+         k.before("stitch 8", {"in 6 7", "tuck - f15 6 ;!source: anchor", "drop f15"});
+       }},
       {"miss with a carrier that is out", "carrier-not-in",
        [](auto& k) { k.before("stitch 8", {"miss - f16 6"}); }},
       {"needle outside the bed", "needle-outside",

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
 #include "meshknit/core/error.h"
 #include "verify/worked_example.h"
 
@@ -58,6 +62,37 @@ TEST(VerifyKnitout, ProblemsNameTheirLineAndStitch) {
   EXPECT_EQ(report.problems[0].code, "wrong-direction");
   EXPECT_EQ(report.problems[0].elements.lines, std::vector<int>{lines.find("stitch 9") + 1});
   EXPECT_EQ(report.problems[0].elements.stitches, std::vector<int>{9});
+}
+
+TEST(VerifyKnitout, ASecondYarnIsComparedToo) {
+  // From the second round (stitch 8) on with carrier 6.
+  KnitoutLines lines;
+  const int second = lines.find("stitch 8");
+  for (std::size_t k = static_cast<std::size_t>(second); k < lines.lines().size(); ++k) {
+    std::string& line = lines.lines()[k];
+    const std::size_t carrier = line.find(" 5");
+    if (carrier != std::string::npos) line.replace(carrier, 2, " 6");
+  }
+  lines.before("stitch 8", {"outhook 5", "inhook 6"}).before("stitch 9", {"releasehook 6"});
+  StitchTrace trace = worked_trace();
+  trace.yarns = 2;
+  for (std::size_t s = 8; s < trace.stitches.size(); ++s) trace.stitches[s].yarn = 1;
+  EXPECT_TRUE(verify(lines, trace).ok);
+  trace.stitches[8].yarn = 0;
+  EXPECT_NE(find_problem(verify(lines, trace).problems, "stitch-count"), nullptr);
+}
+
+TEST(VerifyKnitout, AFloodOfProblemsIsCountedButNotListed) {
+  // Without stitch 1 each of the 51 stitches after it stands in another's place.
+  KnitoutLines lines;
+  lines.remove("stitch 1");
+  const VerifyReport report = verify(lines);
+  EXPECT_GE(report.errors, 51);
+  const auto listed =
+      std::count_if(report.problems.begin(), report.problems.end(),
+                    [](const Problem& p) { return p.code == "source-mismatch"; });
+  EXPECT_LT(listed, 51);
+  EXPECT_NE(find_problem(report.problems, "more-problems"), nullptr);
 }
 
 TEST(VerifyKnitout, AnotherTraceIsNotWhatWasKnit) {

@@ -1,0 +1,64 @@
+#include "meshknit/remesh/relaxation.h"
+
+#include "meshknit/remesh/walk.h"
+
+namespace meshknit {
+namespace {
+
+// Errors beside shaping reach a few stitches far, so few rounds do most of the work.
+constexpr int rounds = 40;
+
+// Each of a node's four springs pulls by this part of its error a round.
+constexpr double step = 0.22;
+
+struct Spring {
+  int a, b;
+  double rest;
+};
+
+}  // namespace
+
+void relax_nodes(const TriangleMesh& mesh, const std::vector<double>& time,
+                 std::vector<int>& faces, KnitGraph& graph,
+                 const std::function<void(double)>& progress) {
+  const std::size_t n = graph.nodes.size();
+  std::vector<Spring> springs;
+  for (const KnitRow& row : graph.rows)
+    for (std::size_t i = 0; i + 1 < row.nodes.size() + row.closed; ++i)
+      springs.push_back(
+          {row.nodes[i], row.nodes[(i + 1) % row.nodes.size()], graph.stitch_width});
+  std::vector<char> has_below(n, 0), has_above(n, 0);
+  for (const auto& c : graph.columns) {
+    springs.push_back({c[0], c[1], 2.0 * graph.stitch_height});
+    has_above[c[0]] = has_below[c[1]] = 1;
+  }
+  std::vector<Eigen::Vector3d> pull(n);
+  for (int round = 0; round < rounds; ++round) {
+    if (progress) progress(static_cast<double>(round) / rounds);
+    for (auto& p : pull) p.setZero();
+    for (const Spring& s : springs) {
+      const Eigen::Vector3d ab = graph.nodes[s.b].position - graph.nodes[s.a].position;
+      const double length = ab.norm();
+      if (!(length > 0.0)) continue;
+      const Eigen::Vector3d force = step * (1.0 - s.rest / length) * ab;
+      pull[s.a] += force;
+      pull[s.b] -= force;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!has_below[i] || !has_above[i]) continue;
+      const FacePoint moved = walk(mesh, {faces[i], graph.nodes[i].position}, pull[i]);
+      faces[i] = moved.face;
+      graph.nodes[i].position = moved.position;
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector3d weight = corner_weights(mesh, {faces[i], graph.nodes[i].position});
+    auto h = mesh.halfedge_handle(TriangleMesh::FaceHandle(faces[i]));
+    double at = 0.0;
+    for (int k = 0; k < 3; ++k, h = mesh.next_halfedge_handle(h))
+      at += weight[k] * time[mesh.from_vertex_handle(h).idx()];
+    graph.nodes[i].time = at;
+  }
+}
+
+}  // namespace meshknit

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "meshknit/remesh/section_length.h"
+#include "meshknit/surface/triangle_mesh.h"
+
+namespace meshknit {
+
+/// Weights of a triangle's corners at a point of its plane, in the order of its half edges'
+/// start vertices beginning with the triangle's own half edge.
+Eigen::Vector3d corner_weights(const TriangleMesh& mesh, const FacePoint& point);
+
+/// Walks straight over the surface by a vector of the start triangle's plane (its normal part
+/// is ignored), unfolding triangles on the way. Stops at a boundary. The result lies in its
+/// triangle.
+FacePoint walk(const TriangleMesh& mesh, const FacePoint& from, const Eigen::Vector3d& by);
+
+}  // namespace meshknit

@@ -1,0 +1,164 @@
+#include "shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "meshknit/core/error.h"
+#include "meshknit/surface/edge_path.h"
+#include "meshknit/time_field/time_field.h"
+#include "surface/test_meshes.h"
+
+namespace meshknit {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+double smooth_step(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+// An upright tube as an example: it starts at z = 0.
+ExampleShape upright(const TubeShape& tube_shape) {
+  const MeshArrays arrays = tube(tube_shape);
+  return {arrays.vertices, arrays.faces, arrays.vertices.row(0).transpose(),
+          arrays.vertices.row(arrays.vertices.rows() - 1).transpose()};
+}
+
+ExampleShape bottle() {
+  return upright(
+      {48, 40, 150.0, [](double z) { return 34.0 - 20.0 * smooth_step((z - 75.0) / 35.0); }});
+}
+
+ExampleShape hourglass() {
+  return upright({40, 32, 120.0, [](double z) {
+                    const double u = (z - 60.0) / 60.0;
+                    return 20.0 + 18.0 * u * u;
+                  }});
+}
+
+ExampleShape tilted_cut() {
+  constexpr double radius = 30.0, middle = 100.0;
+  const double slope = std::tan(pi / 6.0);
+  ExampleShape shape = upright({40, 24, middle, [](double) { return radius; }});
+  for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v)
+    shape.vertices(v, 2) *= 1.0 + slope * shape.vertices(v, 0) / middle;
+  shape.end = shape.vertices.row(shape.vertices.rows() - 1).transpose();
+  return shape;
+}
+
+// Sums of three waves with random heights and phases.
+class Wave {
+ public:
+  explicit Wave(Jitter& jitter) {
+    for (int k = 0; k < 3; ++k) {
+      height_[k] = jitter.next() / (k + 1.0);
+      phase_[k] = pi * jitter.next();
+    }
+  }
+  double operator()(double angle) const {
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) sum += height_[k] * std::sin((k + 1) * angle + phase_[k]);
+    return sum;
+  }
+
+ private:
+  std::array<double, 3> height_, phase_;
+};
+
+ExampleShape wobbly_tube() {
+  constexpr int around = 40, along = 30;
+  constexpr double length = 140.0;
+  Jitter jitter(11);
+  const Wave aside(jitter), ahead(jitter), width(jitter), section(jitter), twist(jitter);
+  TubeShape straight{around, along, length, [](double) { return 1.0; }};
+  ExampleShape shape = upright(straight);
+  for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {
+    const double z = shape.vertices(v, 2), u = pi * z / length;
+    const double angle = std::atan2(shape.vertices(v, 1), shape.vertices(v, 0));
+    const double radius = 27.0 + 5.0 * width(u) + 3.0 * section(angle + twist(u));
+    shape.vertices.row(v) << radius * shape.vertices(v, 0) + 12.0 * aside(u),
+        radius * shape.vertices(v, 1) + 12.0 * ahead(u), z;
+  }
+  shape.start = shape.vertices.row(0).transpose();
+  shape.end = shape.vertices.row(shape.vertices.rows() - 1).transpose();
+  return shape;
+}
+
+struct NamedShape {
+  const char* name;
+  std::function<ExampleShape()> make;
+};
+
+const std::vector<NamedShape>& more_shapes() {
+  static const std::vector<NamedShape> shapes = {
+      {"bent_tube_30", [] { return bent_tube(30.0); }},
+      {"bent_tube_60", [] { return bent_tube(60.0); }},
+      {"bent_tube_120", [] { return bent_tube(120.0); }},
+      {"widening_cone", [] { return cone(20.0, 45.0); }},
+      {"bottle", bottle},
+      {"hourglass", hourglass},
+      {"tilted_cut", tilted_cut},
+      {"wobbly_tube", wobbly_tube},
+  };
+  return shapes;
+}
+
+}  // namespace
+
+std::vector<std::string> shape_names() {
+  std::vector<std::string> names = example_shape_names();
+  for (const NamedShape& shape : more_shapes()) names.push_back(shape.name);
+  return names;
+}
+
+ExampleShape arrays_of_shape(const std::string& name, double size) {
+  const auto found = std::find_if(more_shapes().begin(), more_shapes().end(),
+                                  [&](const NamedShape& shape) { return shape.name == name; });
+  ExampleShape shape = found == more_shapes().end() ? example_shape(name) : found->make();
+  shape.vertices *= size;
+  shape.start *= size;
+  shape.end *= size;
+  return shape;
+}
+
+TimedShape timed(const ExampleShape& shape) {
+  TimedShape result;
+  result.surface = make_surface(shape.vertices, shape.faces);
+  if (has_errors(result.surface.problems)) throw NotKnittable(result.surface.problems);
+  const auto boundary = [&](const Eigen::Vector3d& near) {
+    return result.surface.boundaries[nearest_boundary(result.surface, near)].vertices;
+  };
+  result.time = solve_time_field(result.surface,
+                                 {{boundary(shape.start), -1.0}, {boundary(shape.end), 1.0}})
+                    .time;
+  return result;
+}
+
+TimedShape shape_named(const std::string& name, double size) {
+  return timed(arrays_of_shape(name, size));
+}
+
+ExampleShape shuffled(const ExampleShape& shape, unsigned seed) {
+  Jitter jitter(seed);
+  const auto order = [&](Eigen::Index n) {
+    std::vector<int> places(n);
+    std::iota(places.begin(), places.end(), 0);
+    for (Eigen::Index i = n - 1; i > 0; --i)
+      std::swap(places[i], places[static_cast<int>(0.5 * (jitter.next() + 1.0) * (i + 1))]);
+    return places;
+  };
+  ExampleShape result = shape;
+  const std::vector<int> vertex = order(shape.vertices.rows());
+  for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v)
+    result.vertices.row(vertex[v]) = shape.vertices.row(v);
+  const std::vector<int> face = order(shape.faces.rows());
+  for (Eigen::Index f = 0; f < shape.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) result.faces(face[f], k) = vertex[shape.faces(f, (k + f) % 3)];
+  return result;
+}
+
+}  // namespace meshknit

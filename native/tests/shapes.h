@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "meshknit/surface/example_shapes.h"
+#include "meshknit/surface/surface.h"
+
+namespace meshknit {
+
+/// A shape of the tests with its solved time field: -1 at the start, 1 at the end.
+struct TimedShape {
+  Surface surface;
+  std::vector<double> time;
+};
+
+/// The shapes that every stage must cope with, all tubes: those of example_shapes.h and
+///  - "bent_tube_30", "_60", "_120": bends of other angles;
+///  - "widening_cone": the cone knit from its narrow end;
+///  - "bottle": a body, a shoulder that narrows fast, a neck;
+///  - "hourglass": narrow in the middle, so that it is a saddle everywhere;
+///  - "tilted_cut": a straight tube whose upper rim slants by 30 degrees;
+///  - "wobbly_tube": its axis, its width and its cross-section wander at random.
+std::vector<std::string> shape_names();
+
+/// How much larger and smaller than drawn the shapes are tried: about 400, 1,800 and 7,000
+/// nodes.
+inline constexpr double shape_sizes[] = {0.5, 1.0, 2.0};
+
+/// The vertices of a named shape, `size` times as large as drawn. Throws: InvalidInput for an
+/// unknown name.
+ExampleShape arrays_of_shape(const std::string& name, double size = 1.0);
+
+/// Surface and time field. Throws: NotKnittable if it has none.
+TimedShape timed(const ExampleShape& shape);
+TimedShape shape_named(const std::string& name, double size = 1.0);
+
+/// The same shape with its vertices and faces in another order.
+ExampleShape shuffled(const ExampleShape& shape, unsigned seed);
+
+}  // namespace meshknit
