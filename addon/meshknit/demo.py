@@ -3,7 +3,11 @@
     blender --background --factory-startup --python addon/meshknit/demo.py -- FOLDER
 
 Leaves sock.blend, sock.k, sock.report.json, sock.graph.json, sock.stitches.json and sock.png in
-FOLDER and prints a summary. With --no-picture it leaves out the picture."""
+FOLDER and prints a summary; `-- FOLDER --no-picture` leaves out the picture. With
+
+    blender --factory-startup --python addon/meshknit/demo.py -- --gui
+
+Blender opens with the add-on on and the sock in the scene, ready to knit."""
 
 import importlib
 import os
@@ -12,24 +16,28 @@ import time
 from pathlib import Path
 
 
-def main(package, arguments):
+def load_sock(package):
+    """An empty scene with the sock in it, as Add > Mesh > Knit > Sock makes it."""
+    import bpy
+
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    if not hasattr(bpy.types.Mesh, "meshknit"):
+        importlib.import_module(f"{package}.registration").register()
+    bpy.ops.meshknit.add_sock()
+
+
+def knit(package, folder, with_picture):
     """-> exit status"""
     import bpy
 
     headless = importlib.import_module(f"{package}.headless")
     options = importlib.import_module(f"{package}.core.batch_options")
-    folder = Path(arguments[0])
     folder.mkdir(parents=True, exist_ok=True)
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    if not hasattr(bpy.types.Mesh, "meshknit"):
-        importlib.import_module(f"{package}.registration").register()
-    bpy.ops.meshknit.add_sock()
-    # The modeler's file, before anything was built: what the README starts from.
     bpy.context.preferences.filepaths.save_version = 0
     bpy.ops.wm.save_as_mainfile(filepath=str((folder / "sock.blend").absolute()), copy=True)
-    files = {name: folder / f"sock.{name}.json" for name in ("report", "graph", "stitches")}
-    chosen = [text for name, path in files.items() for text in (f"--{name}", str(path))]
-    chosen += ["--output", str(folder / "sock.k"), "--quiet"]
+    chosen = ["--quiet", "--output", str(folder / "sock.k")]
+    for name in ("report", "graph", "stitches"):
+        chosen += [f"--{name}", str(folder / f"sock.{name}.json")]
     try:
         model, outcome, report = headless.run(options.parse_options(chosen))
     except headless.UsageError as error:
@@ -38,13 +46,32 @@ def main(package, arguments):
     if not outcome.ok:
         headless.say(outcome.message)
         return headless.STATUS[outcome.status]
-    if "--no-picture" not in arguments:
+    if with_picture:
         began = time.perf_counter()
         picture = importlib.import_module(f"{package}.demo_picture")
         picture.render(bpy.context, model, outcome, folder / "sock.png")
         report["seconds"]["picture"] = time.perf_counter() - began
     print(summary(report, folder), flush=True)
     return 0
+
+
+def open_window(package):
+    """The sock in the view, the sidebar open."""
+    import bpy
+
+    bpy.context.preferences.view.show_splash = False
+    load_sock(package)
+
+    def arrange():
+        window = bpy.context.window_manager.windows[0]
+        area = next(a for a in window.screen.areas if a.type == "VIEW_3D")
+        area.spaces.active.show_region_ui = True
+        region = next(r for r in area.regions if r.type == "WINDOW")
+        with bpy.context.temp_override(window=window, area=area, region=region):
+            bpy.ops.view3d.view_axis(type="FRONT")
+            bpy.ops.view3d.view_selected()
+
+    bpy.app.timers.register(arrange, first_interval=0.5)
 
 
 def summary(report, folder):
@@ -69,9 +96,14 @@ def summary(report, folder):
 
 
 if __name__ == "__main__":
-    folder = Path(__file__).resolve().parent
-    sys.path.insert(0, str(folder.parent))
-    status = main(folder.name, sys.argv[sys.argv.index("--") + 1 :])
-    sys.stdout.flush()
-    sys.stderr.flush()
-    os._exit(status)
+    source = Path(__file__).resolve().parent
+    sys.path.insert(0, str(source.parent))
+    arguments = sys.argv[sys.argv.index("--") + 1 :]
+    if "--gui" in arguments:
+        open_window(source.name)
+    else:
+        load_sock(source.name)
+        status = knit(source.name, Path(arguments[0]), "--no-picture" not in arguments)
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(status)

@@ -13,7 +13,7 @@ from .scene.attributes import write_attribute
 from .scene.shapes import add_object, make_mesh
 
 RESOLUTION = (1400, 1000)
-SAMPLES = 32
+SAMPLES = 28
 SIDES = 6  # of a tube
 # Kind of edge -> (what the legend says, radius in stitch widths, sRGB colour).
 TUBES = {
@@ -23,7 +23,8 @@ TUBES = {
     "increase": ("Increases", 0.19, (0.00, 0.60, 0.33)),
     "decrease": ("Decreases", 0.19, (0.86, 0.08, 0.60)),
 }
-PAPER = (0.945, 0.94, 0.925)
+SHINING = "ShaderNodeEmission"
+PAPER = (0.84, 0.835, 0.82)
 INK = (0.16, 0.16, 0.18)
 TURN = math.radians(28.0)  # of the camera round the model, from its side
 RISE = math.radians(17.0)  # of the camera above the horizon
@@ -74,11 +75,10 @@ def tubes(segments, radius):
 
 def _add_surface(context, model, times, unit):
     material = _material("Time", (0.8, 0.8, 0.8))
-    nodes = material.node_tree
-    color = nodes.nodes.new("ShaderNodeAttribute")
+    tree = material.node_tree
+    color = tree.nodes.new("ShaderNodeAttribute")
     color.attribute_name = names.TIME_COLOR
-    surface = nodes.nodes["Principled BSDF"]
-    nodes.links.new(color.outputs["Color"], surface.inputs["Base Color"])
+    tree.links.new(color.outputs["Color"], tree.nodes["Diffuse BSDF"].inputs["Color"])
     ob = _add_mesh(context, "Surface", model.vertices / unit, model.faces, material)
     colors = to_linear(time_colors(times))
     write_attribute(ob.data, names.TIME_COLOR, "FLOAT_COLOR", "POINT", colors)
@@ -91,21 +91,15 @@ def _add_mesh(context, name, vertices, polygons, material):
     return add_object(context, mesh)
 
 
-def _material(name, color, strength=0.0):
-    """A rough material of an sRGB colour; with a strength it shines by itself."""
+def _material(name, color, shader="ShaderNodeBsdfDiffuse"):
+    """A material of one sRGB colour: matt, or shining by itself with ShaderNodeEmission."""
     material = bpy.data.materials.new(name)
     material.use_nodes = True
-    linear = to_linear(np.array([[*color, 1.0]]))[0]
-    nodes = material.node_tree.nodes
-    if strength:
-        shine = nodes.new("ShaderNodeEmission")
-        shine.inputs["Color"].default_value = linear
-        shine.inputs["Strength"].default_value = strength
-        output = nodes["Material Output"]
-        material.node_tree.links.new(shine.outputs["Emission"], output.inputs["Surface"])
-    else:
-        nodes["Principled BSDF"].inputs["Base Color"].default_value = linear
-        nodes["Principled BSDF"].inputs["Roughness"].default_value = 0.65
+    tree = material.node_tree
+    tree.nodes.remove(tree.nodes["Principled BSDF"])
+    node = tree.nodes.new(shader)
+    node.inputs["Color"].default_value = to_linear(np.array([[*color, 1.0]]))[0]
+    tree.links.new(node.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
     return material
 
 
@@ -121,10 +115,10 @@ def _add_camera(context, places):
     )
     camera.rotation_euler = (-back).to_track_quat("-Z", "Y").to_euler()
     half = 0.5 * float(np.linalg.norm(high - low))
-    distance = 0.80 * half / math.tan(0.5 * data.angle_y * RESOLUTION[1] / RESOLUTION[0])
+    distance = 0.66 * half / math.tan(0.5 * data.angle_y * RESOLUTION[1] / RESOLUTION[0])
     side = camera.rotation_euler.to_quaternion() @ Vector((1.0, 0.0, 0.0))
     # The model stands a little right of the middle: the legend is on the left.
-    camera.location = centre + back * distance - side * 0.16 * half
+    camera.location = centre + back * distance - side * 0.20 * half
     context.scene.camera = camera
     return camera
 
@@ -138,9 +132,9 @@ def _add_floor(context, places):
 def _add_lights(context, places):
     centre = Vector((places.min(axis=0) + places.max(axis=0)) / 2.0)
     for name, place, size, power in (
-        ("Key", (-3.0, -5.0, 6.0), 4.0, 420.0),
-        ("Fill", (7.0, -4.0, 2.5), 5.0, 130.0),
-        ("Rim", (2.0, 6.0, 4.0), 3.0, 160.0),
+        ("Key", (-3.0, -5.0, 6.0), 4.0, 380.0),
+        ("Fill", (7.0, -4.0, 2.5), 5.0, 100.0),
+        ("Rim", (2.0, 6.0, 4.0), 3.0, 170.0),
     ):
         data = bpy.data.lights.new(name, "AREA")
         data.size, data.energy = size, power
@@ -152,7 +146,7 @@ def _add_lights(context, places):
     world.use_nodes = True
     background = world.node_tree.nodes["Background"]
     background.inputs["Color"].default_value = to_linear(np.array([[*PAPER, 1.0]]))[0]
-    background.inputs["Strength"].default_value = 0.75
+    background.inputs["Strength"].default_value = 0.70
     context.scene.world = world
 
 
@@ -164,7 +158,7 @@ def _set_up_render(context, path):
     scene.cycles.use_denoising = False  # not every build of Blender has a denoiser
     scene.cycles.use_adaptive_sampling = True
     scene.cycles.adaptive_threshold = 0.03
-    scene.cycles.max_bounces = 3
+    scene.cycles.max_bounces = 2
     scene.cycles.seed = 0
     scene.view_settings.view_transform = "Standard"
     scene.render.resolution_x, scene.render.resolution_y = RESOLUTION
@@ -193,9 +187,8 @@ def _add_legend(context, camera):
         thickness = 0.55 if kind in ("column", "row") else 0.9
         if kind == "column":
             thickness = 0.3
-        shade = INK if kind == "none" else color
         corners = [(5.2, y), (9.2, y), (9.2, y + thickness), (5.2, y + thickness)]
-        _add_flat(context, legend, kind, corners, [[0, 1, 2, 3]], shade)
+        _add_flat(context, legend, kind, corners, [[0, 1, 2, 3]], color)
         _add_text(context, legend, text, 10.6, y - 0.45, 1.9)
 
 
@@ -210,7 +203,7 @@ def _add_bar(context, legend):
 
 def _add_flat(context, legend, name, corners, polygons, color):
     vertices = np.array([(x, y, 0.0) for x, y in corners])
-    ob = _add_mesh(context, name, vertices, polygons, _material(name, color, 1.0))
+    ob = _add_mesh(context, name, vertices, polygons, _material(name, color, SHINING))
     ob.parent = legend
     ob.visible_shadow = ob.visible_diffuse = False
 
@@ -218,7 +211,7 @@ def _add_flat(context, legend, name, corners, polygons, color):
 def _add_text(context, legend, text, x, y, size):
     data = bpy.data.curves.new(text, "FONT")
     data.body, data.size = text, size
-    data.materials.append(_material(text, INK, 1.0))
+    data.materials.append(_material(text, INK, SHINING))
     ob = bpy.data.objects.new(text, data)
     ob.location, ob.parent = (x, y, 0.0), legend
     ob.visible_shadow = ob.visible_diffuse = False
