@@ -59,8 +59,8 @@ def open_window(package):
     """The sock in the view, the sidebar open."""
     import bpy
 
-    bpy.context.preferences.view.show_splash = False
     load_sock(package)
+    bpy.context.preferences.view.show_splash = False
 
     def arrange():
         window = bpy.context.window_manager.windows[0]

@@ -18,8 +18,8 @@ from .scene import sessions
 DEFAULTS = Settings()
 
 
-def _touched(_, context):
-    sessions.touch_active(context)
+def _touched(self, context):
+    sessions.touch_users(self.id_data, context)
 
 
 def _shown(_, context):

@@ -1,5 +1,7 @@
 """A person clicks through the steps of the panel."""
 
+import time
+
 import bpy
 import numpy as np
 
@@ -131,3 +133,15 @@ def test_a_changed_time_greys_the_results_by_itself(user, tube):
     pump_until(lambda: "graph" in session().stale_stages(), seconds=20)
     bpy.context.object.data.meshknit.constraints[0].time = -1.0
     pump_until(lambda: session().stale_stages() == [], seconds=20)
+
+
+def test_at_rest_the_object_is_not_looked_at_again_and_again(user, tube, monkeypatch):
+    user.click_button("meshknit.build_graph(")
+    pump_until(lambda: finished() and session() and session().is_fresh("graph"))
+    end = time.monotonic() + 3 * sessions.SECONDS_OF_REST
+    pump_until(lambda: time.monotonic() > end)
+    looks = []
+    monkeypatch.setattr(sessions, "look_again", lambda *_: looks.append(1))
+    end = time.monotonic() + 3 * sessions.SECONDS_OF_REST
+    pump_until(lambda: time.monotonic() > end)
+    assert looks == []

@@ -193,3 +193,26 @@ def test_progress_is_told_unless_quiet_and_help_is_no_error():
     command = [bpy.app.binary_path, "--background", "--factory-startup", "--python", str(BATCH)]
     done = subprocess.run([*command, "--", "--help"], capture_output=True, text=True)
     assert done.returncode == 0 and "--stitch-width" in done.stdout
+
+
+def test_the_demo_leaves_its_files_and_a_summary(tmp_path):
+    demo = str(BATCH.with_name("demo.py"))
+    command = [bpy.app.binary_path, "--background", "--factory-startup", "--python", demo]
+    done = subprocess.run(
+        [*command, "--", str(tmp_path / "demo"), "--no-picture"], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    left = {path.name for path in (tmp_path / "demo").iterdir()}
+    assert left == {
+        f"sock.{end}" for end in ("blend", "k", "report.json", "graph.json", "stitches.json")
+    }
+    for word in ("stitches", "short", "passes", "needles", "minutes", "passed", "seconds"):
+        assert word in done.stdout
+    report = json.loads((tmp_path / "demo" / "sock.report.json").read_text())
+    kinds = {
+        s["kind"]
+        for s in json.loads((tmp_path / "demo" / "sock.stitches.json").read_text())["stitches"]
+    }
+    # The sock shows all that a single tube can have.
+    assert report["graph"]["short_rows"] > 10
+    assert kinds == {"start", "knit", "increase", "decrease", "tuck", "end"}

@@ -80,21 +80,22 @@ def touch(ob):
         bpy.app.timers.register(_look_at_touched, first_interval=SECONDS_OF_REST)
 
 
-def touch_active(context):
-    """For properties of scene and mesh."""
-    if context.object is not None and context.object.type == "MESH":
-        touch(context.object)
+def touch_users(data, context):
+    """For properties: touches the objects that show a mesh, or all for a scene's property."""
+    for ob in context.scene.objects:
+        if ob.type == "MESH" and (ob.data == data or data == context.scene):
+            touch(ob)
 
 
 def _look_at_touched():
     context = bpy.context
-    ob = context.object
+    waiting = [ob for ob in context.scene.objects if compat.object_key(ob) in _touched]
     # In Edit Mode attributes cannot be read: the look is taken after leaving it.
-    if ob is not None and ob.type == "MESH" and compat.object_key(ob) in _touched:
-        if ob.mode == "EDIT" or _job is not None:
-            return SECONDS_OF_REST
+    if _job is not None or any(ob.mode == "EDIT" for ob in waiting):
+        return SECONDS_OF_REST
+    for ob in waiting:
         look_again(context, ob)
-        redraw(context)
+    redraw(context)
     return None
 
 
@@ -116,9 +117,10 @@ def _after_load(_):
 
 
 @persistent
-def _after_undo(_scene, _depsgraph=None):
-    if bpy.context.object is not None:
-        touch(bpy.context.object)
+def _after_undo(scene, _depsgraph=None):
+    for ob in scene.objects:
+        if ob.type == "MESH":
+            touch(ob)
 
 
 @persistent

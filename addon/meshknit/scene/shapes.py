@@ -28,11 +28,13 @@ def add_object(context, mesh, location=(0.0, 0.0, 0.0)):
     """Links an object to the collection in use, selects it and makes it the active one."""
     ob = bpy.data.objects.new(mesh.name, mesh)
     ob.location = location
-    context.collection.objects.link(ob)
-    for other in context.selected_objects:
+    # The context has no selection while Blender starts, the view layer always has.
+    layer = context.view_layer
+    layer.active_layer_collection.collection.objects.link(ob)
+    for other in list(layer.objects.selected):
         other.select_set(False)
     ob.select_set(True)
-    context.view_layer.objects.active = ob
+    layer.objects.active = ob
     return ob
 
 
