@@ -9,7 +9,7 @@ import pytest
 sys.dont_write_bytecode = True
 here = Path(__file__).resolve().parent
 arguments = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
-if all(argument.startswith("-") for argument in arguments):
+if not any(Path(argument.split("::")[0]).exists() for argument in arguments):
     arguments.append(str(here / "headless"))
 code = pytest.main(["-p", "no:cacheprovider", f"--rootdir={here}", *arguments])
 sys.stdout.flush()

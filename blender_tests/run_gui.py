@@ -26,7 +26,7 @@ def run_tests():
     import pytest
 
     arguments = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
-    if all(argument.startswith("-") for argument in arguments):
+    if not any(Path(argument.split("::")[0]).exists() for argument in arguments):
         arguments.append(str(HERE / "gui"))
     return pytest.main(["-p", "no:cacheprovider", f"--rootdir={HERE}", *arguments])
 

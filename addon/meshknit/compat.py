@@ -1,5 +1,7 @@
 """Differences between Blender 3.4 and 5.x, in one place."""
 
+import bpy
+
 
 def object_key(ob):
     """Names an object for as long as Blender runs; before 4.2 its name has to do."""
@@ -17,3 +19,9 @@ def draw_progress(layout, factor, text):
 def set_active_color(mesh, name):
     """Makes a colour attribute the one that Solid and Vertex shading show."""
     mesh.color_attributes.active_color = mesh.color_attributes[name]
+
+
+def set_polygon_sizes(mesh, sizes):
+    """Since 3.6 sizes follow from where polygons start, and are read-only."""
+    if not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly:
+        mesh.polygons.foreach_set("loop_total", sizes)

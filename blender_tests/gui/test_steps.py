@@ -145,3 +145,17 @@ def test_at_rest_the_object_is_not_looked_at_again_and_again(user, tube, monkeyp
     end = time.monotonic() + 3 * sessions.SECONDS_OF_REST
     pump_until(lambda: time.monotonic() > end)
     assert looks == []
+
+
+def test_loading_a_file_ends_a_running_step(user, tube):
+    scene = bpy.context.scene.meshknit
+    scene.stitch_width, scene.stitch_height = 0.3, 0.15
+    user.click_button("meshknit.build_graph(")
+    pump_until(lambda: sessions.job() is not None)
+    job = sessions.job()
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    pump_until(lambda: sessions.job() is None and not job.running)
+    assert job.value.status == "cancelled"
+    # Nothing of the old file is asked for again: its windows are gone, too.
+    KNIT.add_straight_tube()
+    assert KNIT.check_mesh() == {"FINISHED"}

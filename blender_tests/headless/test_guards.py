@@ -1,13 +1,16 @@
 """Rules of the code base that no single test would notice."""
 
 import ast
+import json
+import os
+import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import bpy
 import pytest
 
+import meshes
 import meshknit
 from meshknit import names, native
 
@@ -107,3 +110,31 @@ def test_without_the_compiled_module_the_addon_registers_and_says_how_to_build(t
     command = [bpy.app.binary_path, "--background", "--factory-startup", "--python", str(script)]
     done = subprocess.run(command, capture_output=True, text=True)
     assert "SAID" in done.stdout and "make build" in done.stdout, done.stdout + done.stderr
+
+
+def test_an_installed_copy_runs_batch_under_its_own_name(tmp_path):
+    installed = tmp_path / "addons" / "meshknit"
+    shutil.copytree(PACKAGE, installed, ignore=shutil.ignore_patterns("__pycache__"))
+    (tmp_path / "tube.obj").write_text(meshes.obj_text(*meshes.tube()))
+    (tmp_path / "marks.json").write_text(
+        json.dumps(meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 60))))
+    )
+    command = [bpy.app.binary_path, "--background", "--factory-startup", "--addons", "meshknit"]
+    command += ["--python", str(installed / "batch.py"), "--", "--scale", "1"]
+    command += ["--input", str(tmp_path / "tube.obj"), "--marks", str(tmp_path / "marks.json")]
+    command += ["--output", str(tmp_path / "tube.k")]
+    done = subprocess.run(
+        command,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "BLENDER_USER_SCRIPTS": str(tmp_path)},
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert (tmp_path / "tube.k").exists()
+    assert "Traceback" not in done.stdout + done.stderr
+
+
+def test_the_manifest_and_bl_info_tell_the_same_version():
+    manifest = (PACKAGE / "blender_manifest.toml").read_text()
+    version = ".".join(map(str, meshknit.bl_info["version"]))
+    assert f'version = "{version}"' in manifest.splitlines()

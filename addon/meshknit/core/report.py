@@ -42,7 +42,7 @@ def build_report(library, model, settings, outcome):
         report["program"] = values["emit"].program(make_profile(library, settings.machine))
         report["check"] = values["emit"].check
     report["seconds"] = {stage: round(r.seconds, 4) for stage, r in outcome.results.items()}
-    report["seconds"]["total"] = round(outcome.seconds, 4)
+    report["seconds"]["total"] = round(sum(report["seconds"].values()), 4)
     peak = peak_megabytes()
     if peak is not None:
         report["peak_mb"] = peak

@@ -36,7 +36,6 @@ class Outcome:
     results: dict = field(default_factory=dict)
     problems: list = field(default_factory=list)
     message: str = ""
-    seconds: float = 0.0
 
     @property
     def ok(self):
@@ -66,7 +65,6 @@ def run_stages(library, model, settings, until, context, known=None):
     """Runs every stage up to `until` that `known` (stage -> StageResult) does not already hold.
     Touches nothing but its arguments' own methods, so it may run in any thread. Never throws for
     the model's faults, wrong settings or cancelling: the outcome says so."""
-    began = time.perf_counter()
     outcome = Outcome("done", until, stage_keys(model, settings))
     try:
         for stage in STAGES[: STAGES.index(until) + 1]:
@@ -96,7 +94,6 @@ def run_stages(library, model, settings, until, context, known=None):
         outcome.message = (
             f"{error} (a promise of meshknit broke: please report this with the model)"
         )
-    outcome.seconds = time.perf_counter() - began
     return outcome
 
 

@@ -28,6 +28,9 @@ class MESHKNIT_OT_select_problem(bpy.types.Operator):
         if self.index >= len(session.problems):
             self.report({"ERROR"}, f"There is no problem {self.index}")
             return {"CANCELLED"}
+        if session.report.get("mesh", {}).get("vertices") != len(ob.data.vertices):
+            self.report({"WARNING"}, "Modifiers change the vertices: apply them to see the place")
+            return {"CANCELLED"}
         elements = session.problems[self.index]["elements"]
         vertices = list(elements.get("vertices", ()))
         surface, graph = session.value("check"), session.value("graph")

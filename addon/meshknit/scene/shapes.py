@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 
-from .. import names
+from .. import compat, names
 from . import constraints
 
 
@@ -19,7 +19,7 @@ def make_mesh(name, vertices, polygons):
     mesh.loops.foreach_set("vertex_index", np.concatenate(polygons).astype(np.int32))
     mesh.polygons.add(len(polygons))
     mesh.polygons.foreach_set("loop_start", np.cumsum(sizes, dtype=np.int32) - sizes)
-    mesh.polygons.foreach_set("loop_total", sizes)
+    compat.set_polygon_sizes(mesh, sizes)
     mesh.update(calc_edges=True)
     return mesh
 
