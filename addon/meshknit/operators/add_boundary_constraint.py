@@ -6,7 +6,7 @@ from bpy.props import FloatProperty
 
 from .. import names
 from ..scene import constraints, sessions
-from ..scene.edit_mode import object_mode
+from ..scene.edit_mode import active_mesh, object_mode
 from .stage_base import poll_mesh
 
 
@@ -31,7 +31,7 @@ class MESHKNIT_OT_add_boundary_constraint(bpy.types.Operator):
         return poll_mesh(cls, context)
 
     def execute(self, context):
-        ob = context.object
+        ob = active_mesh(context)
         editing = ob.mode == "EDIT"
         with object_mode(ob):
             mesh = ob.data

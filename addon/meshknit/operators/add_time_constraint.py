@@ -10,7 +10,7 @@ from ..core.edge_chains import connected_groups, is_chain
 from ..core.errors import UsageError
 from ..core.marks import parse_points
 from ..scene import constraints, sessions
-from ..scene.edit_mode import object_mode
+from ..scene.edit_mode import active_mesh, object_mode
 from .stage_base import poll_mesh
 
 
@@ -51,7 +51,7 @@ class MESHKNIT_OT_add_time_constraint(bpy.types.Operator):
         return poll_mesh(cls, context)
 
     def execute(self, context):
-        ob = context.object
+        ob = active_mesh(context)
         with object_mode(ob):
             edges, complaint = self._edges(ob)
             if complaint:

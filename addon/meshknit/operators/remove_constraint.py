@@ -5,7 +5,7 @@ from bpy.props import IntProperty
 
 from .. import names
 from ..scene import constraints, sessions
-from ..scene.edit_mode import object_mode
+from ..scene.edit_mode import active_mesh, object_mode
 from .stage_base import poll_mesh
 
 
@@ -22,10 +22,10 @@ class MESHKNIT_OT_remove_constraint(bpy.types.Operator):
     def poll(cls, context):
         if not poll_mesh(cls, context):
             return False
-        return len(getattr(context.object.data, names.PROPERTIES).constraints) > 0
+        return len(getattr(active_mesh(context).data, names.PROPERTIES).constraints) > 0
 
     def execute(self, context):
-        ob = context.object
+        ob = active_mesh(context)
         settings = getattr(ob.data, names.PROPERTIES)
         index = settings.active if self.index < 0 else self.index
         if index >= len(settings.constraints):

@@ -5,7 +5,7 @@ from bpy.props import IntProperty
 
 from .. import names
 from ..scene import constraints
-from ..scene.edit_mode import object_mode
+from ..scene.edit_mode import active_mesh, object_mode
 from ..scene.select_elements import select_elements
 from .stage_base import poll_mesh
 
@@ -24,7 +24,7 @@ class MESHKNIT_OT_select_constraint(bpy.types.Operator):
         return poll_mesh(cls, context)
 
     def execute(self, context):
-        ob = context.object
+        ob = active_mesh(context)
         settings = getattr(ob.data, names.PROPERTIES)
         index = settings.active if self.index < 0 else self.index
         with object_mode(ob):

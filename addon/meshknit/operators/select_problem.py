@@ -5,6 +5,7 @@ from bpy.props import IntProperty
 
 from .. import names
 from ..scene import sessions
+from ..scene.edit_mode import active_mesh
 from ..scene.select_elements import nearest_vertices, select_elements
 from .stage_base import poll_mesh
 
@@ -23,7 +24,7 @@ class MESHKNIT_OT_select_problem(bpy.types.Operator):
         return poll_mesh(cls, context)
 
     def execute(self, context):
-        ob = context.object
+        ob = active_mesh(context)
         session = sessions.session_of(ob)
         if self.index >= len(session.problems):
             self.report({"ERROR"}, f"There is no problem {self.index}")

@@ -8,7 +8,7 @@ from ..core.job import Job
 from ..core.report import build_report
 from ..core.workflow import run_stages
 from ..scene import sessions
-from ..scene.edit_mode import object_mode
+from ..scene.edit_mode import active_mesh, object_mode
 from ..scene.time_attribute import publish_time
 
 POLL_SECONDS = 0.1
@@ -16,7 +16,7 @@ POLL_SECONDS = 0.1
 
 def poll_mesh(cls, context):
     """True if the active object is a mesh and nothing runs; says why not where Blender can."""
-    if context.object is None or context.object.type != "MESH":
+    if active_mesh(context) is None:
         cls.poll_message_set("Choose a mesh object")
         return False
     if sessions.job() is not None:
@@ -90,7 +90,7 @@ class StageOperator:
     def _prepare(self, context):
         """Reads all that the run needs. -> a function of a RunContext that returns the outcome,
         or None after saying why not."""
-        ob = context.object
+        ob = active_mesh(context)
         try:
             library = native.load()
             self._model, self._settings = sessions.read_inputs(context, ob)

@@ -8,6 +8,7 @@ from bpy.props import StringProperty
 from .. import names
 from ..core.errors import UsageError
 from ..core.files import graph_text, report_text, stitches_text, write_whole
+from ..scene.edit_mode import active_mesh
 from .stage_base import StageOperator
 
 
@@ -31,7 +32,7 @@ class MESHKNIT_OT_write_knitout(StageOperator, bpy.types.Operator):
     def _prepare(self, context):
         self._path = self.output or getattr(context.scene, names.PROPERTIES).output
         if not self._path and bpy.data.filepath:
-            self._path = f"//{bpy.path.clean_name(context.object.name)}.k"
+            self._path = f"//{bpy.path.clean_name(active_mesh(context).name)}.k"
         if not self._path:
             self.report({"ERROR"}, "Choose a machine file in the panel, or save the .blend file")
             return None

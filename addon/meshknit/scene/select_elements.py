@@ -6,12 +6,8 @@ import numpy as np
 
 
 def select_elements(context, ob, vertices=(), edges=(), faces=()):
-    """Edges are vertex pairs. Elements that the mesh does not have are left out.
+    """`ob` is the active object. Edges are vertex pairs. Elements that are not there are left out.
     -> how many were selected"""
-    if context.view_layer.objects.active is not ob:
-        if context.object is not None and context.object.mode != "OBJECT":
-            bpy.ops.object.mode_set(mode="OBJECT")
-        context.view_layer.objects.active = ob
     if ob.mode != "EDIT":
         bpy.ops.object.mode_set(mode="EDIT")
     only_faces = len(faces) > 0 and not len(vertices) and not len(edges)
