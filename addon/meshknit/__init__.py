@@ -1,4 +1,4 @@
-"""meshknit: knits meshes on V-bed machines. Nothing here needs Blender until register() is called."""
+"""meshknit: knits meshes on V-bed machines. Only register() needs Blender."""
 
 bl_info = {
     "name": "Meshknit",

@@ -76,23 +76,23 @@ def open_window(package):
 
 def summary(report, folder):
     graph, trace, program = report["graph"], report["trace"], report["program"]
-    seconds = ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())
     low, high = program["needles"]
-    rows = [
+    within = [f"{graph[kind]['within_10']:.1%}" for kind in ("row_error", "column_error")]
+    check = report["check"]
+    verdict = "passed" if check["ok"] else "FAILED"
+    lines = (
         ("stitches", trace["stitches"]),
         ("rows", f"{graph['rows']}, {graph['short_rows']} of them short"),
-        ("edges within 10 %", f"{graph['row_error']['within_10']:.1%} of row edges, "
-                              f"{graph['column_error']['within_10']:.1%} of column edges"),
-        ("passes", f"{program['passes']} ({program['transfers']} transfers)"),
-        ("needles", f"{high - low + 1} of each bed ({low} to {high})"),
-        ("estimated time", f"{program['estimated_minutes']:.0f} minutes on the machine"),
-        ("check", f"{'passed' if report['check']['ok'] else 'FAILED'}: "
-                  f"{report['check']['loops']} loops and {report['check']['edges']} yarn edges as traced"),
-        ("seconds", seconds),
+        ("lengths", f"{within[0]} of row edges and {within[1]} of columns within 10 %"),
+        ("passes", f"{program['passes']} with {program['transfers']} transfers"),
+        ("needles", f"{high - low + 1} of each bed, {low} to {high}"),
+        ("estimate", f"{program['estimated_minutes']:.0f} minutes on the machine"),
+        ("check", f"{verdict}: {check['loops']} loops and {check['edges']} edges as traced"),
+        ("seconds", ", ".join(f"{s} {value:.2f}" for s, value in report["seconds"].items())),
         ("memory", f"{report.get('peak_mb', 0):.0f} MB at most"),
-        ("files", f"{folder}/sock.k, .png, .report.json, .graph.json, .stitches.json, .blend"),
-    ]  # fmt: skip
-    return "\n".join(["The sock"] + [f"  {name:<18} {value}" for name, value in rows])
+        ("files", f"{folder}/sock.k .report.json .graph.json .stitches.json .blend .png"),
+    )
+    return "\n".join(["The sock:"] + [f"  {name:<10} {text}" for name, text in lines])
 
 
 if __name__ == "__main__":

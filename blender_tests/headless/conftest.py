@@ -15,6 +15,6 @@ def empty_scene():
 
 @pytest.fixture
 def tube():
-    """A straight tube of 20 mm radius and 60 mm length that is ready to knit, as the active object."""
+    """A straight tube of 20 mm radius and 60 mm length, ready to knit, as the active object."""
     bpy.ops.meshknit.add_straight_tube(radius=20.0, length=60.0)
     return bpy.context.object

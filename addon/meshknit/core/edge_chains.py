@@ -49,7 +49,7 @@ def nearest_vertex(positions, point, among=None):
 
 
 def shortest_path(positions, edges, stops, closed):
-    """Rows of `edges` that lead through the vertices `stops` in order; None if they do not connect."""
+    """Rows of `edges` that lead through the vertices `stops` in order; None if nothing does."""
     neighbours = defaultdict(list)
     lengths = np.linalg.norm(positions[edges[:, 0]] - positions[edges[:, 1]], axis=1)
     for row, (a, b) in enumerate(np.asarray(edges).tolist()):

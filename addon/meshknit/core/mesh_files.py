@@ -79,7 +79,7 @@ def _read_stl(data):
 
 
 def _weld(corners):
-    """STL repeats a vertex in every triangle: equal positions become one, in order of appearance."""
+    """STL repeats a vertex in every triangle: equal positions become one, as they appear."""
     if not len(corners):
         return corners, []
     _, first, inverse = np.unique(corners, axis=0, return_index=True, return_inverse=True)

@@ -174,7 +174,7 @@ def _openings_problem(model):
     return {
         "code": "openings-not-supported",
         "severity": "error",
-        "message": f"{len(model.openings)} faces are marked as an opening, which is not supported yet.",
+        "message": f"{len(model.openings)} faces are marked as an opening: not supported yet.",
         "remedy": "Delete these faces, or set their attribute knit_opening to 0.",
         "elements": {"faces": list(model.openings)},
     }

@@ -1,4 +1,4 @@
-"""One operator a file. Each has a full execute(); stages run in a thread when a person starts them."""
+"""One operator a file. Each has a full execute(); a person's clicks run stages in a thread."""
 
 import bpy
 

@@ -26,7 +26,7 @@ def poll_mesh(cls, context):
 
 
 class StageOperator:
-    """Mixin. Subclasses set `until`, the stage that they run to; earlier ones run if missing or stale."""
+    """Mixin. Subclasses set `until`, the stage to run to; earlier ones run if missing or stale."""
 
     bl_options = {"REGISTER", "UNDO"}
     until = ""

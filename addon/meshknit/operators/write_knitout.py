@@ -13,7 +13,7 @@ from .stage_base import StageOperator
 
 
 class MESHKNIT_OT_write_knitout(StageOperator, bpy.types.Operator):
-    """Write the program for the machine, after a simulated machine has knit it and found it right"""
+    """Write the program for the machine, after a simulated machine has knit it as planned"""
 
     bl_idname = names.OP_WRITE
     bl_label = "Write"

@@ -1,6 +1,6 @@
 """The sessions of the objects of this Blender, and the one job that may run.
 
-Results live in memory only. What must survive saving and undo (constraints, times) is on the mesh."""
+Results live in memory only. What must survive saving and undo is on the mesh."""
 
 import bpy
 from bpy.app.handlers import persistent

@@ -33,7 +33,7 @@ class MESHKNIT_PT_results(KnitPanel, bpy.types.Panel):
             row = lines.row()
             row.label(text=name)
             row.label(text=value)
-        width = max(20, context.region.width // 8)
+        width = max(16, (context.region.width - 50) // 7)  # characters
         for index, problem in enumerate(session.problems[:MOST_PROBLEMS]):
             self._draw_problem(layout.box(), index, problem, width)
         left = len(session.problems) - MOST_PROBLEMS
