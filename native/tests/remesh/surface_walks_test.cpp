@@ -24,14 +24,18 @@ FacePoint centre_of(const TriangleMesh& mesh, int face) {
   return {face, mesh.calc_face_centroid(TriangleMesh::FaceHandle(face))};
 }
 
+// Level and anticlockwise in a triangle's plane.
+Eigen::Vector3d across_of(const TriangleMesh& mesh, const FacePoint& at) {
+  const Eigen::Vector3d normal = mesh.calc_face_normal(TriangleMesh::FaceHandle(at.face));
+  return Eigen::Vector3d::UnitZ().cross(normal).normalized();
+}
+
 double side_length() { return 40.0 * std::sin(pi / 48.0); }
 
 TEST(Walk, RoundATubeComesBackToItsStart) {
   const TriangleMesh mesh = tube_mesh();
   const FacePoint start = centre_of(mesh, 400);
-  const Eigen::Vector3d ahead =
-      Eigen::Vector3d(0.0, 0.0, 1.0).cross(start.position).normalized() *
-      (48.0 / 2.0 * side_length());
+  const Eigen::Vector3d ahead = across_of(mesh, start) * (48.0 / 2.0 * side_length());
   const FacePoint half = walk(mesh, start, ahead);
   EXPECT_NEAR(half.position.x(), -start.position.x(), 1e-9);
   EXPECT_NEAR(half.position.y(), -start.position.y(), 1e-9);
@@ -50,8 +54,7 @@ TEST(Walk, EndsInItsTriangle) {
     for (int direction = 0; direction < 12; ++direction) {
       const double a = pi * direction / 6.0;
       const FacePoint start = centre_of(mesh, face);
-      const Eigen::Vector3d across =
-          Eigen::Vector3d(0.0, 0.0, 1.0).cross(start.position).normalized();
+      const Eigen::Vector3d across = across_of(mesh, start);
       const FacePoint end = walk(
           mesh, start, 9.0 * (std::cos(a) * across + std::sin(a) * Eigen::Vector3d::UnitZ()));
       EXPECT_GE(corner_weights(mesh, end).minCoeff(), -1e-9);
@@ -61,8 +64,7 @@ TEST(Walk, EndsInItsTriangle) {
 TEST(SectionLength, GoesRoundTheTubeNotThroughIt) {
   const TriangleMesh mesh = tube_mesh();
   const FacePoint start = centre_of(mesh, 400);
-  const Eigen::Vector3d across =
-      Eigen::Vector3d(0.0, 0.0, 1.0).cross(start.position).normalized();
+  const Eigen::Vector3d across = across_of(mesh, start);
   for (const double way : {1.0, 3.66, 8.0}) {
     const FacePoint end = walk(mesh, start, way * across);
     EXPECT_NEAR(section_length(mesh, start, end), way, 0.001 * way);
@@ -92,8 +94,7 @@ UnevenRows uneven_rows() {
   Jitter jitter(2);
   // Walking from one place to all others keeps nodes on the surface.
   const FacePoint origin = walk(drawn.mesh, centre_of(drawn.mesh, 0), {0.0, 0.0, 2.0});
-  const Eigen::Vector3d across =
-      Eigen::Vector3d(0.0, 0.0, 1.0).cross(origin.position).normalized();
+  const Eigen::Vector3d across = across_of(drawn.mesh, origin);
   for (int r = 0; r < 5; ++r) {
     KnitRow row;
     for (int i = 0; i < 12; ++i) {
