@@ -1,6 +1,9 @@
 """A picture of a model with its time colours and its knit graph, rendered by Cycles on the CPU."""
 
 import math
+import os
+import sys
+from contextlib import contextmanager
 
 import bpy
 import numpy as np
@@ -50,7 +53,23 @@ def render(context, model, outcome, path):
     _add_lights(context, places)
     _add_legend(context, camera)
     _set_up_render(context, path)
-    bpy.ops.render.render(write_still=True)
+    with _silent_renderer():
+        bpy.ops.render.render(write_still=True)
+
+
+@contextmanager
+def _silent_renderer():
+    """Cycles prints a line for every sample, past Python's own standard output."""
+    sys.stdout.flush()
+    terminal = os.dup(1)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 1)
+    try:
+        yield
+    finally:
+        os.dup2(terminal, 1)
+        os.close(nowhere)
+        os.close(terminal)
 
 
 def tubes(segments, radius):

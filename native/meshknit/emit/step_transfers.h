@@ -9,7 +9,8 @@ namespace meshknit {
 
 /// The transfers before a step that is knit in `direction`; none if no stack moves. Stacks that
 /// are decreased together arrive in the order in which the step's stitches meet them, so that
-/// each stitch finds its first parent lowest. Throws: NotKnittable "transfer-impossible".
+/// each stitch finds its first parent lowest.
+/// Throws: NotKnittable "transfer-impossible".
 TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
                                  const MachineProfile& profile);
 

@@ -12,7 +12,7 @@ struct ProgramCost {
   int transfers = 0;
   double max_racking = 0.0;
   int lowest_needle = 0, highest_needle = 0;  ///< both 0 without needle operations
-  double estimated_minutes = 0.0;  ///< passes * turn + travelled needles / speed
+  double estimated_minutes = 0.0;             ///< passes * turn + travelled needles / speed
 };
 
 /// Counts passes as the machine will make them. Operations join one pass while racking, carriers,

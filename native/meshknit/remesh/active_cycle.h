@@ -27,8 +27,8 @@ struct ActiveCycle {
 };
 
 /// Fills `place` of every node after the cycle has changed. Nodes keep their triangle where the
-/// cycle still runs through it; others go to the nearest point. Ensures: places increase
-/// strictly round the cycle.
+/// cycle still runs through it; others go to the nearest point.
+/// Ensures: places increase strictly round the cycle.
 void place_nodes(ActiveCycle& active, std::vector<int>& piece_of_edge);
 
 }  // namespace meshknit

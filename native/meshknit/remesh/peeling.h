@@ -25,8 +25,8 @@ class Peeling {
   bool done() const { return done_; }  ///< the last row is peeled
   double progress() const;             ///< fraction of the surface that is knitted
   void peel_row();
-  /// Relaxes and measures the graph. Requires: done(). Call once. `progress` as in
-  /// relaxation.h.
+  /// Relaxes and measures the graph.
+  /// Requires: done(). Call once. `progress` as in relaxation.h.
   KnitGraph take_graph(const std::function<void(double)>& progress = {});
 
  private:

@@ -25,7 +25,8 @@ class Slicer {
   Slicer(const PeelState& state, const std::vector<char>& last);
 
   /// All components of the level set at `level` mm that lie in the measured band, largest
-  /// first. Requires: band.measure(active, limit) with a limit of at least the level.
+  /// first.
+  /// Requires: band.measure(active, limit) with a limit of at least the level.
   std::vector<NextCycle> slice(const GeodesicBand& band, const Cycle& active, double level);
 
  private:

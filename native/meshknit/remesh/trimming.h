@@ -21,8 +21,8 @@ class Trimmer {
   Trimmer(PeelState& state, const std::vector<char>& last);
 
   /// `regions` empty: the whole band up to `level`, whose level set is `next`. Pockets that a
-  /// row closes off are knitted over if they are smaller than a few stitches. Throws:
-  /// NotKnittable "splits-here" if what is left open falls apart.
+  /// row closes off are knitted over if they are smaller than a few stitches.
+  /// Throws: NotKnittable "splits-here" if what is left open falls apart.
   Cycle trim(const GeodesicBand& band, const Cycle& active, const Cycle& next, double level,
              const std::vector<TrimRegion>& regions);
 

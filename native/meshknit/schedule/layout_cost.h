@@ -8,7 +8,8 @@
 namespace meshknit {
 
 /// Stacks that change beds when the stacks of `before` go to their slots in `after`. Places do
-/// not matter. Requires: before.slots == map.stacks(), after.slots == map.slots().
+/// not matter.
+/// Requires: before.slots == map.stacks(), after.slots == map.slots().
 int count_rolls(const SlotMap& map, const BedLayout& before, const BedLayout& after);
 
 /// Sideways movement of the stacks that `offset` (place of `after` minus place of `before`)

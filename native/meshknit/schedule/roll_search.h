@@ -59,8 +59,9 @@ struct RollTable {
   }
 };
 
-/// `maps[i]` leads from cycle i to cycle i+1. Works in time proportional to the stacks of
-/// all cycles and their shaping. Throws: Cancelled.
+/// `maps[i]` leads from cycle i to cycle i+1. Works in time proportional to the stacks of all
+/// cycles and their shaping.
+/// Throws: Cancelled.
 RollTable search_rolls(const std::vector<BedSplits>& splits, const std::vector<SlotMap>& maps,
                        RunContext* run);
 

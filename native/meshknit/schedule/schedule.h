@@ -65,9 +65,9 @@ struct Schedule {
 /// Throws: NotKnittable "too-wide" naming the widest row's nodes and the largest scale that
 /// fits; "too-narrow" for a row of fewer than two loops; "stack-too-high" naming the nodes
 /// where tucks and decreases pile up more loops than a needle holds; "needs-one-tube" for more
-/// than one yarn, start, split or merge; Cancelled. Ensures: check_schedule(trace, result,
-/// profile) finds nothing. `optimal` is false if the tube would walk off the bed and some moves
-/// had to be worse than their best to keep it there.
+/// than one yarn, start, split or merge; Cancelled.
+/// Ensures: check_schedule(trace, result, profile) finds nothing. `optimal` is false if the
+/// tube would walk off the bed and some moves had to be worse than their best to keep it there.
 Schedule schedule_stitches(const StitchTrace& trace, const MachineProfile& profile,
                            RunContext* run = nullptr);
 

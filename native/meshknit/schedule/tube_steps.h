@@ -28,9 +28,10 @@ struct TubeSteps {
 /// Replays the trace, keeping the stacks of its one tube in anticlockwise order. A step is as
 /// long as possible: stitches in one direction (a tuck at a turn belongs to the direction
 /// before the turn), no stack worked twice. Before the first step the tube holds one nameless
-/// loop (of waste) for each start stitch. Throws: NotKnittable "needs-one-tube" for more than
-/// one yarn or start, or stitches whose parents do not hang side by side; "too-narrow" if the
-/// tube has fewer than two stacks at some time. Both name stitches and nodes.
+/// loop (of waste) for each start stitch.
+/// Throws: NotKnittable "needs-one-tube" for more than one yarn or start, or stitches whose
+/// parents do not hang side by side; "too-narrow" if the tube has fewer than two stacks at some
+/// time. Both name stitches and nodes.
 TubeSteps replay_tube(const StitchTrace& trace);
 
 /// The loops that a stitch is knit through, in the order of its parents (empty for a tuck).

@@ -125,7 +125,8 @@ ExampleShape bent_tube(double degrees, double radius, double leg) {
 
 ExampleShape sock() {
   // Millimetres along the centre line: cuff, ankle, heel (a bend of 100 degrees), instep, ball, toe.
-  constexpr double ankle = 85.0, heel_begin = 100.0, heel_end = 205.0, ball = 275.0, toe = 330.0;
+  constexpr double ankle = 85.0, heel_begin = 100.0, heel_end = 205.0, ball = 275.0,
+                   toe = 330.0;
   constexpr double turn = 100.0 * pi / 180.0;
   // The curvature rises and falls smoothly over the heel and integrates to the turn. Its radius stays larger than
   // the sock's, so that the instep does not fold.
@@ -143,7 +144,8 @@ ExampleShape sock() {
     if (s > heel_end) radius = blend(31.0, 29.0, (s - heel_end) / (ball - heel_end));
     if (s > ball) radius = blend(29.0, 13.0, (s - ball) / (toe - ball));
     // The foot is wider than high.
-    const double flat = s > heel_end ? blend(1.0, 0.8, (s - heel_end) / (ball - heel_end)) : 1.0;
+    const double flat =
+        s > heel_end ? blend(1.0, 0.8, (s - heel_end) / (ball - heel_end)) : 1.0;
     ring.radius_across = radius / std::sqrt(flat);
     ring.radius_in_plane = radius * std::sqrt(flat);
     const double from_heel = (s - 0.5 * (heel_begin + heel_end)) / 34.0;

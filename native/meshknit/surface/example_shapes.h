@@ -23,7 +23,8 @@ ExampleShape straight_tube(double radius = 30.0, double length = 120.0);
 /// Upright cone stub from z = 0 (start) to z = height (end).
 ExampleShape cone(double start_radius = 45.0, double end_radius = 20.0, double height = 120.0);
 
-/// Two straight legs joined by a circular bend, in the xz plane. Requires: 0 <= degrees <= 150.
+/// Two straight legs joined by a circular bend, in the xz plane.
+/// Requires: 0 <= degrees <= 150.
 ExampleShape bent_tube(double degrees = 90.0, double radius = 25.0, double leg = 50.0);
 
 /// A sock, cuff (start) up, toe (end, a small opening) along x: the leg narrows to the ankle,

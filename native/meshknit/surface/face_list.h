@@ -14,7 +14,8 @@ struct FaceList {
   std::vector<int> source;
 };
 
-/// All faces of the input. Throws: InvalidInput if a face names a vertex that is not there.
+/// All faces of the input.
+/// Throws: InvalidInput if a face names a vertex that is not there.
 FaceList list_faces(const VertexArray& vertices, const FaceArray& faces);
 
 /// Removes the faces that name a vertex twice; returns their sources.

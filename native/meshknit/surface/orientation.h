@@ -17,8 +17,9 @@ struct Orientation {
 };
 
 /// Turns faces so that neighbours agree on which side is outside. In every piece the majority
-/// stays as it is, and on a tie the first face. Requires: `sides` are the sorted sides of
-/// `faces`, no edge with three faces. They are stale afterwards.
+/// stays as it is, and on a tie the first face.
+/// Requires: `sides` are the sorted sides of `faces`, no edge with three faces. They are stale
+/// afterwards.
 Orientation orient_faces(FaceList& faces, const std::vector<FaceSide>& sides);
 
 /// Vertices where several fans of faces meet in nothing but the vertex, ascending.

@@ -17,9 +17,9 @@ struct RefinedMesh {
 /// between two boundary vertices. The first vertices are those of the input. Deterministic; the
 /// geometry is unchanged.
 /// Requires: manifold mesh with finite positions. The result has about area / max_edge^2 faces
-/// or more. Throws: InvalidInput if there is not one value a vertex or max_edge is not
-/// positive. Ensures: a face has three boundary vertices only if all its edges are boundary
-/// edges.
+/// or more.
+/// Throws: InvalidInput if there is not one value a vertex or max_edge is not positive.
+/// Ensures: a face has three boundary vertices only if all its edges are boundary edges.
 RefinedMesh refine_mesh(const TriangleMesh& mesh, const std::vector<double>& value,
                         double max_edge);
 

@@ -44,8 +44,8 @@ struct SurfaceOptions {
 /// Errors: "empty-mesh", "not-finite", "zero-area-face" (height below 1e-9 of the longest
 /// side), "nonmanifold-edge", "nonmanifold-vertex", "not-orientable", "several-components",
 /// "too-few-boundaries", "short-boundary". With the last three `mesh` is there to look at, with
-/// the others it is empty. Bad geometry never throws. Throws: InvalidInput if a face names a
-/// vertex that is not there.
+/// the others it is empty. Bad geometry never throws.
+/// Throws: InvalidInput if a face names a vertex that is not there.
 Surface make_surface(const VertexArray& vertices, const FaceArray& faces,
                      const SurfaceOptions& options = {});
 

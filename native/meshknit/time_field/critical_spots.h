@@ -21,9 +21,10 @@ struct TimeSpot {
 };
 
 /// All spots of a field, by their lowest vertex. `constant[b]`: boundary b has one time and is
-/// filled. Requires: a finite time per mesh vertex, the same on all vertices of a constant
-/// boundary. Ensures: the sum of characteristic - sign_changes / 2 over all spots is 2 - 2g
-/// (Poincare and Hopf) if all boundaries are constant.
+/// filled.
+/// Requires: a finite time per mesh vertex, the same on all vertices of a constant boundary.
+/// Ensures: the sum of characteristic - sign_changes / 2 over all spots is 2 - 2g (Poincare and
+/// Hopf) if all boundaries are constant.
 std::vector<TimeSpot> time_spots(const Surface& surface, const std::vector<double>& time,
                                  const std::vector<bool>& constant);
 

@@ -20,8 +20,8 @@ IntrinsicTriangles side_lengths(const TriangleMesh& mesh);
 /// across every inner side the opposite angles sum to at most pi, so that cotangent weights are
 /// not negative. By edge flips on lengths alone (Bobenko and Springborn 2007, "A discrete
 /// Laplace-Beltrami operator for simplicial surfaces"). Two triangles may share more than one
-/// side and a side may return to its own vertex. Requires: manifold mesh, no zero-area faces.
-/// Thin triangles are welcome.
+/// side and a side may return to its own vertex.
+/// Requires: manifold mesh, no zero-area faces. Thin triangles are welcome.
 IntrinsicTriangles intrinsic_delaunay(const TriangleMesh& mesh);
 
 /// Cotangent of the angle opposite to side k of a triangle with these sides.

@@ -38,8 +38,8 @@ class TimeFieldSolver {
   TimeFieldSolver& operator=(TimeFieldSolver&&) noexcept;
 
   /// One time per chain given to the constructor -> one time per mesh vertex: the chains' own
-  /// exactly, all others within the range of the given ones and rounded to 2^-40. Throws:
-  /// InvalidInput if there is not one finite time a chain.
+  /// exactly, all others within the range of the given ones and rounded to 2^-40.
+  /// Throws: InvalidInput if there is not one finite time a chain.
   std::vector<double> solve(const std::vector<double>& times) const;
 
  private:
@@ -50,8 +50,8 @@ class TimeFieldSolver {
 /// Problems of a set of constraints: "time-out-of-range" (outside [-1, 1]), "empty-constraint",
 /// "boundary-without-time" (none, or on a part only), "boundary-with-two-times",
 /// "contradictory-times" (a vertex elsewhere to which two constraints give different times),
-/// "all-times-equal". They name vertices of the input arrays and boundaries. Throws:
-/// InvalidInput for a vertex that is not in the mesh.
+/// "all-times-equal". They name vertices of the input arrays and boundaries.
+/// Throws: InvalidInput for a vertex that is not in the mesh.
 Problems check_constraints(const Surface& surface,
                            const std::vector<TimeConstraint>& constraints);
 
@@ -75,13 +75,14 @@ struct TimeFieldCheck {
 /// "time-not-finite", "boundary-not-constant" (beyond 1e-6 of the field's range),
 /// "false-extremum", "boundary-in-passing" (neither start nor end), "no-start", "no-end",
 /// "time-stands-still" (everywhere; a warning if on more than a hundredth of the area). They
-/// name vertices and faces of the input arrays and boundaries. Throws: InvalidInput if there is
-/// not one time a vertex.
+/// name vertices and faces of the input arrays and boundaries.
+/// Throws: InvalidInput if there is not one time a vertex.
 TimeFieldCheck check_time_field(const Surface& surface, const std::vector<double>& time);
 
 /// From constraints to a checked field: check_constraints, solve, check_time_field, falling
 /// back to the clamped Laplacian if the first field fails its check. A vertex that several
-/// constraints give the same time is fine. Throws: NotKnittable with the problems found.
+/// constraints give the same time is fine.
+/// Throws: NotKnittable with the problems found.
 struct TimeField {
   std::vector<double> time;  ///< per mesh vertex
   TimeFieldCheck check;

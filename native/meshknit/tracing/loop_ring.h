@@ -9,8 +9,8 @@ namespace meshknit {
 ///
 /// Keeps who hangs beside whom while rows are only partly knit, which the graph alone does not
 /// say: beside the end of a short row there may be a loop of any row (paper, section 3.3: "any
-/// underlying node"). Requires: all arguments are loops that hang (were added and not taken
-/// off).
+/// underlying node").
+/// Requires: all arguments are loops that hang (were added and not taken off).
 class LoopRing {
  public:
   /// A new ring with one loop.

@@ -11,7 +11,8 @@ namespace meshknit {
 
 /// What tracing knows while it goes along: how often every node is knit, which loops hang
 /// beside each other, and where the current yarn is. The rules (tracing_rules.h) look at it and
-/// make stitches with it. Requires: a graph with Properties 1-5 that outlives the state.
+/// make stitches with it.
+/// Requires: a graph with Properties 1-5 that outlives the state.
 class TraceState {
  public:
   explicit TraceState(const KnitGraph& graph);

@@ -35,7 +35,8 @@ enum class Ending {
 
 /// All ways of a block's first stack through the passes; the others of the block do the same,
 /// beside it. Stacks go round ends only towards their goal side. The way that waits longest
-/// comes first. Requires: at most most_passes passes.
+/// comes first.
+/// Requires: at most most_passes passes.
 std::vector<Itinerary> itineraries(const Tube& tube, const Block& block, const Passes& passes,
                                    Ending ending);
 

@@ -9,7 +9,8 @@
 
 namespace meshknit {
 
-/// Bit of a pass in a set of passes. Requires: |racking| <= 15.
+/// Bit of a pass in a set of passes.
+/// Requires: |racking| <= 15.
 inline std::uint64_t pass_bit(const Pass& pass) {
   return std::uint64_t{1} << (pass.racking + (pass.from == Bed::front ? 16 : 48));
 }

@@ -21,7 +21,8 @@ Problems check_transfer_form(const TransferProblem& problem);
 /// lies at x + R. A parked loop keeps its side of the tube and must stay between its neighbours
 /// on that side; it may face one of them, on the opposite needle. A loop changes beds hook to
 /// hook and only round an end of the tube. The replay ends with the first transfer that is
-/// wrong: later states would mean nothing. Requires: check_transfer_form finds nothing.
+/// wrong: later states would mean nothing.
+/// Requires: check_transfer_form finds nothing.
 Problems check_transfer_plan(const TransferProblem& problem, const TransferPlan& plan);
 
 }  // namespace meshknit

@@ -26,7 +26,8 @@ std::vector<std::vector<ExpectedLoop>> expected_yarns(const StitchTrace& trace);
 
 /// The loops that a stitch goes through, in the order of the trace's parents. Both loops of one
 /// increase below one stitch: that stitch meets the knit first if it runs the same way,
-/// otherwise the second loop. Requires: check_trace_form.
+/// otherwise the second loop.
+/// Requires: check_trace_form.
 std::vector<ExpectedLoop> expected_parents(const StitchTrace& trace, int stitch);
 
 }  // namespace meshknit
