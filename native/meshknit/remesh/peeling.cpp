@@ -10,6 +10,7 @@
 #include "meshknit/remesh/sampling.h"
 #include "meshknit/remesh/start_cycle.h"
 #include "meshknit/surface/refine.h"
+#include "meshknit/surface/reorder.h"
 
 namespace meshknit {
 namespace {
@@ -62,6 +63,7 @@ Peeling::Peeling(const Surface& surface, const std::vector<double>& time,
   graph_.stitch_height = options.stitch_height;
   RefinedMesh fine =
       refine_mesh(surface.mesh, time, fine_edge * std::min(options.stitch_width, row_height_));
+  const std::vector<int> number = reorder_by_value(fine);
   state_.mesh = std::move(fine.mesh);
   state_.time = std::move(fine.value);
   state_.knitted.assign(state_.mesh.n_vertices(), 0);
@@ -70,11 +72,11 @@ Peeling::Peeling(const Surface& surface, const std::vector<double>& time,
   for (const auto e : state_.mesh.edges())
     state_.edge_length[e.idx()] = state_.mesh.calc_edge_length(e);
   piece_of_edge_.assign(state_.mesh.n_edges(), -1);
-  start(surface);
+  start(surface, number[surface.boundaries[0].vertices[0]],
+        number[surface.boundaries[1].vertices[0]]);
 }
 
-void Peeling::start(const Surface& surface) {
-  const int a = surface.boundaries[0].vertices[0], b = surface.boundaries[1].vertices[0];
+void Peeling::start(const Surface& surface, int a, int b) {
   const bool a_first = state_.time[a] < state_.time[b];
   const std::vector<char> first = mark_boundary(state_.mesh, a_first ? a : b);
   last_ = mark_boundary(state_.mesh, a_first ? b : a);

@@ -39,7 +39,7 @@ class Peeling {
     std::vector<Link> links;
   };
 
-  void start(const Surface& surface);
+  void start(const Surface& surface, int a, int b);
   /// Nearest place on the active cycle of a place on the next one.
   double foot_of(const NextCycle& next, double place) const;
   std::vector<NodeRun> accept(const NextCycle& next, const Row& row) const;
