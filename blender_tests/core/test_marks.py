@@ -1,12 +1,19 @@
 """Marks files."""
 
 import json
+import math
 
 import pytest
 
 import meshes
 from meshknit.core.errors import UsageError
-from meshknit.core.marks import parse_marks, read_marks, resolve_marks
+from meshknit.core.marks import (
+    parse_marks,
+    parse_points,
+    read_marks,
+    resolve_marks,
+    with_constraint_names,
+)
 
 GOOD = meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 1)))
 
@@ -57,6 +64,13 @@ def changed(**changes):
         (changed(times=[{"time": 0.1, "boundary_near": [0, 0]}]), "three numbers"),
         (changed(times=[{"time": 0.1, "points": []}]), "at least one point"),
         (changed(times=[{"time": True, "boundary_near": [0, 0, 0]}]), "number"),
+        (changed(times=5), "at least one time"),
+        (changed(times=None), "at least one time"),
+        (changed(times=[{"time": 10**400, "boundary_near": [0, 0, 0]}]), r"times\[0\].*number"),
+        (changed(times=[{"time": math.nan, "boundary_near": [0, 0, 0]}]), r"times\[0\].*number"),
+        (changed(times=[{"time": 0, "boundary_near": [0, 0, 10**400]}]), "three numbers"),
+        (changed(times=[{"time": 0, "boundary_near": [0, 0, math.inf]}]), "three numbers"),
+        (changed(times=[*GOOD["times"], {"time": 1.5, "points": [[0, 0, 0]]}]), r"times\[2\].*1.5"),
         (changed(openings=[{"at": [0, 0, 0], "radius": 8.0}]), "not supported yet"),
     ],
 )
@@ -71,3 +85,26 @@ def test_a_file_that_is_no_json_is_refused(tmp_path):
         read_marks(tmp_path / "marks.json")
     (tmp_path / "marks.json").write_text(json.dumps(GOOD))
     assert len(read_marks(tmp_path / "marks.json").times) == 2
+
+
+def test_json_nested_too_deep_is_refused(tmp_path):
+    (tmp_path / "marks.json").write_text("[" * 100000)
+    with pytest.raises(UsageError, match="marks.json"):
+        read_marks(tmp_path / "marks.json")
+    with pytest.raises(UsageError, match="points"):
+        parse_points("[" * 100000)
+
+
+def test_a_boundary_with_two_times_names_the_marks_that_give_them():
+    data = meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 60)), (0.5, (0, 0, 50)))
+    constraints = resolve_marks(parse_marks(data), TubeSurface(), 1.0)
+    problem = {
+        "code": "boundary-with-two-times",
+        "message": "The boundary has more than one time.",
+        "elements": {"boundaries": [1], "vertices": [4, 5, 6, 7]},
+    }
+    named = with_constraint_names(problem, constraints)
+    assert "times[1] (1), times[2] (0.5)" in named["message"]
+    assert "times[0]" not in named["message"]
+    other = {**problem, "code": "contradictory-times"}
+    assert with_constraint_names(other, constraints) == other

@@ -18,6 +18,15 @@ def ply_header(form, vertices, polygons, real="float"):
     ).encode()
 
 
+def ply_text(face_property, face):
+    """Three vertices and one face."""
+    return (
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        f"property float z\nelement face 1\n{face_property}\nend_header\n"
+        f"0 0 0\n1 0 0\n0 1 0\n{face}\n"
+    ).encode()
+
+
 def write_ply(path, vertices, polygons, form):
     data = ply_header(form, vertices, polygons)
     if form == "ascii":
@@ -93,6 +102,10 @@ def test_stl_triangles_are_joined_again(tmp_path, binary):
         ("beyond.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"),
         ("short.ply", ply_header("ascii", [0] * 3, [0]) + b"0 0 0 1\n1 0"),
         ("short_binary.ply", ply_header("binary_little_endian", [0] * 3, [0]) + b"\0" * 8),
+        ("no_list.ply", ply_text("property int other", "0")),
+        ("scalar.ply", ply_text("property int vertex_indices", "0")),
+        ("infinite.ply", ply_text("property list uchar float vertex_indices", "3 0 1 inf")),
+        ("bare.ply", b"ply\nformat ascii 1.0\nelement vertex 9999999999\nend_header\n"),
         ("other.fbx", b""),
     ],
 )

@@ -1,6 +1,7 @@
 """Marks files (meshknit-marks-1): which places are knit when."""
 
 import json
+import math
 from dataclasses import dataclass
 
 from .errors import UsageError
@@ -30,7 +31,7 @@ def read_marks(path):
     try:
         with open(path, encoding="utf-8") as file:
             data = json.load(file)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise UsageError(f"cannot read the marks file {path}: {error}") from error
     try:
         return parse_marks(data)
@@ -44,11 +45,11 @@ def parse_marks(data):
     units = data.get("units", "model")
     if units not in ("model", "mm"):
         raise UsageError('"units" must be "model" or "mm"')
-    times = data.get("times", [])
-    if data.get("openings") or any(isinstance(t, dict) and "opening" in t for t in times):
-        raise UsageError("openings are not supported yet")
+    times = data.get("times")
     if not isinstance(times, list) or not times:
         raise UsageError('"times" must list at least one time')
+    if data.get("openings") or any(isinstance(t, dict) and "opening" in t for t in times):
+        raise UsageError("openings are not supported yet")
     return Marks(units == "model", tuple(_parse_time(i, t) for i, t in enumerate(times)))
 
 
@@ -56,6 +57,8 @@ def _parse_time(index, entry):
     where = f"times[{index}]"
     if not isinstance(entry, dict) or not _is_number(entry.get("time")):
         raise UsageError(f'{where} must have a number as its "time"')
+    if not -1.0 <= entry["time"] <= 1.0:
+        raise UsageError(f'{where}: "time" is {entry["time"]:g}, it must be from -1 to 1')
     if ("boundary_near" in entry) == ("points" in entry):
         raise UsageError(f'{where} must have either "boundary_near" or "points"')
     if "boundary_near" in entry:
@@ -71,7 +74,7 @@ def parse_points(text):
     """A list of points as text, "[[x, y, z], ...]". Throws UsageError."""
     try:
         return _points("the list", json.loads(text))
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise UsageError(f"points are written [[x, y, z], ...]: {error}") from error
 
 
@@ -88,7 +91,13 @@ def _point(where, value):
 
 
 def _is_number(value):
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
+    """What a double can hold: JSON as Python reads it also has NaN, Infinity and longer integers."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False
 
 
 def resolve_marks(marks, surface, scale):
@@ -107,3 +116,12 @@ def _resolve(index, mark, surface, factor):
         if len(vertices) > 1:
             vertices = surface.edge_path(vertices, mark.closed)
     return Constraint(f"times[{index}]", tuple(int(v) for v in vertices), mark.time)
+
+
+def with_constraint_names(problem, constraints):
+    """A problem whose message says which constraints give a boundary more than one time."""
+    if problem["code"] != "boundary-with-two-times":
+        return problem
+    boundary = set(problem["elements"]["vertices"])
+    found = [f"{c.name} ({c.time:g})" for c in constraints if boundary.intersection(c.vertices)]
+    return {**problem, "message": f"{problem['message']} It is given by {', '.join(found)}."}

@@ -27,7 +27,7 @@ def read_mesh_file(path):
         raise UsageError(f"cannot read {path}: {error.strerror}") from error
     try:
         vertices, polygons = readers[path.suffix.lower()](data)
-    except (ValueError, IndexError, KeyError) as error:
+    except (ValueError, IndexError, KeyError, OverflowError) as error:
         raise UsageError(f"{path} is not a readable {path.suffix[1:]} file: {error}") from error
     vertices = np.asarray(vertices, dtype=np.float64).reshape(-1, 3)
     _require_known_vertices(path, polygons, len(vertices))

@@ -11,7 +11,8 @@ ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
 def read_ply(data):
-    """-> (vertices, polygons). Throws ValueError or KeyError for what it does not understand."""
+    """-> (vertices, polygons). Throws ValueError, IndexError, KeyError or OverflowError for what it
+    does not understand."""
     end = data.find(b"end_header")
     if not data.startswith(b"ply") or end < 0:
         raise ValueError("the header is missing")
@@ -20,17 +21,26 @@ def read_ply(data):
     source = _Text(body) if form == "ascii" else _Binary(body, ORDERS[form])
     vertices, polygons = None, []
     for name, count, properties in elements:
+        if not properties:
+            raise ValueError(f"its element {name} has no properties")
         rows = [[source.take(p) for p in properties] for _ in range(count)]
-        columns = [p[-1] for p in properties]
         if name == "vertex":
-            x, y, z = (columns.index(axis) for axis in "xyz")
+            x, y, z = (_column(properties, (axis,), is_list=False) for axis in "xyz")
             vertices = np.array([[row[x], row[y], row[z]] for row in rows], dtype=np.float64)
         elif name == "face":
-            at = next(i for i, c in enumerate(columns) if c in ("vertex_indices", "vertex_index"))
+            at = _column(properties, ("vertex_indices", "vertex_index"), is_list=True)
             polygons = [[int(i) for i in row[at]] for row in rows]
     if vertices is None:
         raise ValueError("it has no vertices")
     return vertices, polygons
+
+
+def _column(properties, names, is_list):
+    """Where the property is that has one of these names."""
+    for index, words in enumerate(properties):
+        if words[-1] in names and (words[0] == "list") == is_list:
+            return index
+    raise ValueError(f"it has no {'list' if is_list else 'number'} {names[0]}")
 
 
 def _parse_header(text):
@@ -70,7 +80,10 @@ class _Binary:
     def take(self, kind):
         if kind[0] != "list":
             return self._numbers(kind[0], 1)[0]
-        return self._numbers(kind[2], int(self._numbers(kind[1], 1)[0]))
+        count = int(self._numbers(kind[1], 1)[0])
+        if count < 0:
+            raise ValueError("it has a list of less than no entries")
+        return self._numbers(kind[2], count)
 
     def _numbers(self, name, count):
         numbers = np.frombuffer(self.body, self.order + TYPES[name], count, self.at)
