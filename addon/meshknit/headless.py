@@ -8,16 +8,17 @@ from dataclasses import replace
 from pathlib import Path
 
 import bpy
+import numpy as np
 
 from . import names, native, registration
 from .core.batch_options import parse_options
 from .core.errors import UsageError
 from .core.files import graph_text, report_text, stitches_text, write_whole
 from .core.machines import make_profile, read_machine
-from .core.marks import read_marks, resolve_marks
+from .core.marks import read_marks, resolve_marks, with_constraint_names
 from .core.mesh_files import read_mesh_file
 from .core.report import build_report
-from .core.workflow import run_stages
+from .core.workflow import describe, run_stages
 from .scene.read_model import read_model
 from .scene.settings_io import read_settings
 from .scene.shapes import add_object, make_mesh
@@ -54,13 +55,10 @@ def say(text):
 def run(options):
     """Runs the stages and writes the files. -> (model, outcome, report). Throws UsageError."""
     library = native.load()
-    marks = read_marks(options.marks) if options.marks else None
-    ob = _find_object(options)
-    context = bpy.context
-    context.view_layer.update()
-    depsgraph = context.evaluated_depsgraph_get()
-    model = read_model(ob, depsgraph, context.scene, options.scale, options.size)
-    settings = _settings(options, context.scene)
+    marks = read_marks(options.marks) if options.marks is not None else None
+    with np.errstate(over="ignore", invalid="ignore"):  # the check finds what is not finite
+        model = _read_model(options)
+    settings = _settings(options, bpy.context.scene)
     make_profile(library, settings.machine)  # a wrong profile file is found before the work
     with _progress(library, options.quiet) as run_context:
         known = {}
@@ -72,13 +70,33 @@ def run(options):
                 model = replace(model, constraints=resolve_marks(marks, surface, model.scale))
             known = first.results
         outcome = run_stages(library, model, settings, options.until, run_context, known)
+    _add_advice(outcome, model)
     report = build_report(library, model, settings, outcome)
-    _write_files(options, outcome, report)
+    write_files(options, outcome, report)
     return model, outcome, report
+
+
+def _read_model(options):
+    ob = _find_object(options)
+    context = bpy.context
+    context.view_layer.update()
+    depsgraph = context.evaluated_depsgraph_get()
+    return read_model(ob, depsgraph, context.scene, options.scale, options.size)
+
+
+def _add_advice(outcome, model):
+    """What the stages cannot know: which marks gave the times, and which options help."""
+    outcome.problems = [with_constraint_names(p, model.constraints) for p in outcome.problems]
+    if outcome.status == "failed":
+        outcome.message = describe(outcome.problems) or outcome.message
+    if any(p["code"] == "too-many-stitches" for p in outcome.problems):
+        outcome.message += " Say how large it is with --scale or --size."
 
 
 def _settings(options, scene):
     """What the scene says, unless an option says otherwise."""
+    if options.machine is not None:
+        getattr(scene, names.PROPERTIES).machine_file = ""  # nothing is read that is not used
     settings = read_settings(scene)
     if options.machine is not None:
         settings = replace(settings, machine=read_machine(options.machine))
@@ -121,7 +139,7 @@ def _object_of_scene(name):
     return meshes[0]
 
 
-def _write_files(options, outcome, report):
+def write_files(options, outcome, report):
     """Whatever the run got to; the machine file only if its check passed, which `emit` says."""
     values = {stage: result.value for stage, result in outcome.results.items()}
     files = (
@@ -130,9 +148,15 @@ def _write_files(options, outcome, report):
         (options.output, "emit", lambda: values["emit"].text),
         (options.report, None, lambda: report_text(report)),
     )
+    failures = []
     for path, stage, text in files:
         if path is not None and (stage is None or stage in values):
-            write_whole(path, text())
+            try:
+                write_whole(path, text())
+            except UsageError as error:  # the other files, above all the report, are still wanted
+                failures.append(str(error))
+    if failures:
+        raise UsageError("; ".join(failures))
 
 
 @contextmanager

@@ -3,11 +3,13 @@
 import json
 import subprocess
 from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 import pytest
 
 import meshes
+from meshknit import headless
 
 BATCH = Path(__file__).resolve().parents[2] / "addon" / "meshknit" / "batch.py"
 TUBE_MARKS = meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 60)))
@@ -176,6 +178,8 @@ def test_a_machine_that_is_too_narrow_says_how_far_to_scale(tube, tube_marks, wr
         (["--input", "{folder}/tube.obj", "--machine", "loom"], "loom"),
         (["--input", "{folder}/tube.obj", "--machine", "{folder}/typo.json"], "nedles"),
         (["--colour"], "colour"),
+        (["--input", "{folder}/tube.obj", "--marks", "{folder}/five.json"], "at least one time"),
+        (["--input", "{folder}/tube.obj", "--machine", "{folder}/one.json"], "20 to 2000"),
         (["--input", "{folder}/tube.obj", "--output", "{folder}/no/x.k"], "does not exist"),
     ],
 )
@@ -183,10 +187,48 @@ def test_wrong_usage_ends_with_2_and_one_line(options, words, tube, write, tmp_p
     write("noise.obj", "\x01\x02 this is no mesh\n")
     write("noise.blend", "this is no scene")
     write("typo.json", {"based_on": "shima_swg091n2", "nedles": 40})
+    write("five.json", {**TUBE_MARKS, "times": 5})
+    write("one.json", {"based_on": "shima_swg091n2", "needles": 1})
     write("openings.json", {**TUBE_MARKS, "openings": [{"at": [0, 0, 0], "radius": 8.0}]})
     done = batch(*[option.format(folder=tmp_path) for option in options])
     assert done.returncode == 2
     assert words in reason(done)
+
+
+def test_huge_coordinates_end_with_one_line_and_a_report(write, tmp_path):
+    text = "v 1e300 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"
+    report = tmp_path / "report.json"
+    done = batch("--input", write("huge.obj", text), "--scale", 1, "--report", report)
+    assert done.returncode == 1 and done.stderr.splitlines() == [reason(done)]
+    assert "NaN" not in report.read_text() and "Infinity" not in report.read_text()
+
+
+def test_a_machine_is_used_though_the_stored_profile_is_gone(tmp_path):
+    bpy.ops.meshknit.add_straight_tube(radius=20.0, length=60.0)
+    bpy.context.scene.meshknit.machine_file = str(tmp_path / "gone.json")
+    scene = tmp_path / "scene.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(scene))
+    done = batch("--until", "check", scene=scene)
+    assert done.returncode == 2 and "gone.json" in reason(done)
+    done = batch("--until", "check", "--machine", "shima_swg091n2", scene=scene)
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_line_names_marks_and_options(tube, write):
+    twice = write("twice.json", NO_KNIT["contradictory times"][1])
+    line = reason(batch("--input", tube, "--scale", 1, "--marks", twice))
+    assert "times[2] (0.5)" in line
+    line = reason(batch("--input", tube, "--marks", write("m.json", TUBE_MARKS)))
+    assert "--scale" in line  # read as metres
+
+
+def test_the_report_is_written_though_another_output_is_not(tmp_path):
+    options = SimpleNamespace(graph=None, stitches=None, output=str(tmp_path / ("x" * 300)))
+    options.report = str(tmp_path / "report.json")
+    outcome = SimpleNamespace(results={"emit": SimpleNamespace(value=SimpleNamespace(text=""))})
+    with pytest.raises(headless.UsageError, match="xxx"):
+        headless.write_files(options, outcome, {"ok": True})
+    assert json.loads((tmp_path / "report.json").read_text()) == {"ok": True}
 
 
 def test_progress_is_told_unless_quiet_and_help_is_no_error():

@@ -1,11 +1,17 @@
 """The options of a headless run."""
 
 import argparse
+import os
 from pathlib import Path
 
 from ..names import STAGES
 from .errors import UsageError
+from .files import target_of
 from .mesh_files import SUFFIXES
+
+
+OUTPUTS = ("output", "graph", "stitches", "report")
+INPUTS = ("input", "marks", "machine")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -16,6 +22,9 @@ class _Parser(argparse.ArgumentParser):
 def parse_options(arguments):
     """Throws UsageError."""
     options = _make_parser().parse_args(arguments)
+    for name in INPUTS + OUTPUTS + ("object",):
+        if getattr(options, name) == "":
+            raise UsageError(f"--{name} needs a name")
     if options.auto:
         raise UsageError("--auto is not supported yet: give --marks, or store times on the object")
     if options.kcode is not None:
@@ -40,10 +49,16 @@ def _require_outputs(options):
         wanted = getattr(options, option)
         if wanted is not None and STAGES.index(options.until) < STAGES.index(stage):
             raise UsageError(f"--{option} needs the stage {stage}, after --until {options.until}")
-    for option in ("output", "graph", "stitches", "report"):
+    inputs = [getattr(options, name) for name in INPUTS]
+    taken = {os.path.normcase(os.path.realpath(path)) for path in inputs if path is not None}
+    for option in OUTPUTS:
         wanted = getattr(options, option)
-        if wanted is not None and not Path(wanted).absolute().parent.is_dir():
-            raise UsageError(f"--{option}: the folder of {wanted} does not exist")
+        if wanted is None:
+            continue
+        target = os.path.normcase(target_of(wanted))
+        if target in taken:
+            raise UsageError(f"--{option}: {wanted} is the file of another option, too")
+        taken.add(target)
 
 
 def _make_parser():

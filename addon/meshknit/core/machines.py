@@ -1,6 +1,7 @@
 """Machine profiles: a built-in name, or a file that changes some fields of one."""
 
 import json
+import os
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,12 +26,11 @@ def read_machine(name):
         return Machine(name)
     if name in NOT_YET:
         raise UsageError(f"the machine {name} is not supported yet")
-    path = Path(name)
-    if not path.is_file():
+    if not os.path.isfile(name):
         raise UsageError(f"{name} is neither a machine ({', '.join(BUILT_IN)}) nor a profile file")
     try:
-        fields = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+        fields = json.loads(Path(name).read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError) as error:
         raise UsageError(f"cannot read the machine profile {name}: {error}") from error
     if not isinstance(fields, dict) or fields.get("based_on") not in BUILT_IN:
         raise UsageError(
@@ -43,13 +43,86 @@ def read_machine(name):
 
 
 def make_profile(library, machine):
-    """The library's profile of a machine. Throws UsageError for a field that it does not have."""
+    """The library's profile of a machine. Throws UsageError for a field that it does not have, and
+    for a value that no machine has."""
     profile = library.machine_profile(machine.based_on)
     for key, value in machine.changes:
-        if key.startswith("_") or not hasattr(profile, key):
+        if key not in _FIELDS:
             raise UsageError(f'a machine profile has no field "{key}"')
-        try:
-            setattr(profile, key, list(value) if isinstance(value, tuple) else value)
-        except TypeError as error:
-            raise UsageError(f'the machine profile\'s field "{key}" has the wrong type') from error
+        fits, wanted = _FIELDS[key]
+        if not fits(value):
+            raise UsageError(f'the machine profile\'s field "{key}" must be {wanted}')
+        setattr(profile, key, list(value) if isinstance(value, tuple) else value)
+    for key in ("waste_carrier", "yarn_carrier"):
+        if getattr(profile, key) not in profile.carriers:
+            raise UsageError(
+                f'the machine profile\'s field "{key}" must be one of the carriers: '
+                + ", ".join(profile.carriers)
+            )
+    if profile.waste_carrier == profile.yarn_carrier:
+        raise UsageError(
+            'the machine profile\'s fields "waste_carrier" and "yarn_carrier" must differ'
+        )
     return profile
+
+
+def _is_whole(value):
+    return isinstance(value, int) and not isinstance(value, bool)
+
+
+def _is_carrier(value):
+    """Programs name carriers in lists, before comments: no separator may be in a name."""
+    return (
+        isinstance(value, str)
+        and value.isprintable()
+        and value != ""
+        and not set(value).intersection(" ,;")
+    )
+
+
+def _is_carrier_list(value):
+    return (
+        isinstance(value, tuple)
+        and len(value) > 0
+        and all(map(_is_carrier, value))
+        and len(set(value)) == len(value)
+    )
+
+
+def _whole(low, high):
+    return lambda v: _is_whole(v) and low <= v <= high, f"a whole number from {low} to {high}"
+
+
+def _real(fits, wanted):
+    return lambda v: (_is_whole(v) or isinstance(v, float)) and fits(v), wanted
+
+
+_POSITIVE = _real(lambda v: 0.0 < v <= 1e6, "a number above 0, at most a million")
+_LINE = (lambda v: isinstance(v, str) and v.isprintable(), "one line of text")
+_YES_OR_NO = (lambda v: isinstance(v, bool), "true or false")
+_CARRIER = (_is_carrier, "a carrier's name, without spaces, commas and semicolons")
+
+# Every field of the library's profile: what its value must fulfil, and that in words.
+_FIELDS = {
+    "name": _LINE,
+    "machine_header": _LINE,
+    "gauge": _whole(1, 30),
+    "needles": _whole(20, 2000),
+    "carriers": (
+        _is_carrier_list,
+        "a list of different names, none empty or with spaces, commas or semicolons",
+    ),
+    "waste_carrier": _CARRIER,
+    "yarn_carrier": _CARRIER,
+    "has_inserting_hook": _YES_OR_NO,
+    "has_sliders": _YES_OR_NO,
+    "first_stitch_leftward": _YES_OR_NO,
+    "max_racking": _whole(1, 20),
+    "quarter_pitch": _real(lambda v: 0.0 <= v <= 1.0, "a number from 0 to 1"),
+    "max_stack": _whole(2, 10),
+    "max_stretch": _whole(3, 20),
+    "max_float": _whole(3, 60),
+    "waste_rounds": _whole(2, 200),
+    "seconds_per_turn": _POSITIVE,
+    "needles_per_second": _POSITIVE,
+}
