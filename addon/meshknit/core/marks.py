@@ -124,4 +124,4 @@ def with_constraint_names(problem, constraints):
         return problem
     boundary = set(problem["elements"]["vertices"])
     found = [f"{c.name} ({c.time:g})" for c in constraints if boundary.intersection(c.vertices)]
-    return {**problem, "message": f"{problem['message']} It is given by {', '.join(found)}."}
+    return {**problem, "message": f"{problem['message']} They come from {', '.join(found)}."}
