@@ -108,7 +108,8 @@ class MESHKNIT_PG_scene(bpy.types.PropertyGroup):
     )
     output: StringProperty(
         name="Machine file",
-        description="Where Write puts the knitout program",
+        description="Where Write puts the knitout program. Left empty: a file named after the "
+        "object, beside the .blend file or in your documents",
         default="",
         subtype="FILE_PATH",
     )

@@ -3,6 +3,7 @@
 import time
 
 import bpy
+import meshknit
 import numpy as np
 
 from meshknit.scene import sessions
@@ -145,6 +146,57 @@ def test_at_rest_the_object_is_not_looked_at_again_and_again(user, tube, monkeyp
     end = time.monotonic() + 3 * sessions.SECONDS_OF_REST
     pump_until(lambda: time.monotonic() > end)
     assert looks == []
+
+
+def test_an_object_in_sculpt_mode_is_looked_at_only_after_it(user, tube, monkeypatch):
+    user.click_button("meshknit.build_graph(")
+    pump_until(lambda: finished() and session() and session().is_fresh("graph"))
+    looks, look_again = [], sessions.look_again
+    monkeypatch.setattr(
+        sessions, "look_again", lambda *a: (looks.append(a[1].mode), look_again(*a))
+    )
+    for mode in ("SCULPT", "EDIT", "WEIGHT_PAINT"):
+        bpy.ops.object.mode_set(mode=mode)
+        looks.clear()
+        bpy.context.object.data.meshknit.constraints[0].time = -0.5
+        end = time.monotonic() + 3 * sessions.SECONDS_OF_REST
+        pump_until(lambda: time.monotonic() > end)
+        assert looks == [] and bpy.context.object.mode == mode
+    bpy.ops.object.mode_set(mode="OBJECT")
+    pump_until(lambda: "graph" in session().stale_stages(), seconds=20)
+    assert set(looks) == {"OBJECT"}
+
+
+def test_disabling_the_add_on_ends_a_running_step(user, tube):
+    scene = bpy.context.scene.meshknit
+    scene.stitch_width, scene.stitch_height = 0.3, 0.15
+    user.click_button("meshknit.build_graph(")
+    pump_until(lambda: sessions.job() is not None)
+    job = sessions.job()
+    meshknit.unregister()
+    meshknit.register()
+    pump(10)
+    assert sessions.job() is None and not job.running
+    assert KNIT.build_graph.poll()
+
+
+def test_the_status_bar_is_free_after_a_change_of_workspace(user, tube):
+    from bl_ui.space_statusbar import STATUSBAR_HT_header
+
+    plain = STATUSBAR_HT_header.draw
+    scene = bpy.context.scene.meshknit
+    scene.stitch_width, scene.stitch_height = 0.3, 0.15
+    user.click_button("meshknit.build_graph(")
+    pump_until(lambda: STATUSBAR_HT_header.draw is not plain)
+    job = sessions.job()
+    first, other = bpy.data.workspaces["Layout"], bpy.data.workspaces["Modeling"]
+    user.window.workspace = other
+    pump(4)
+    job.cancel()
+    pump_until(finished)
+    assert STATUSBAR_HT_header.draw is plain
+    user.window.workspace = first
+    pump(4)
 
 
 def test_loading_a_file_ends_a_running_step(user, tube):

@@ -1,13 +1,17 @@
 """Check, Solve time, Build graph, Schedule, Write: from the active object to its results."""
 
 import json
+from dataclasses import replace
 
 import bpy
 import numpy as np
 import pytest
 
 import meshes
+from meshknit.core.workflow import stage_keys
+from meshknit.operators import stage_base
 from meshknit.scene import sessions
+from meshknit.scene.read_overlay import read_time_surface
 from objects import add_mesh, heights, knit_time, session, select_only
 
 KNIT = bpy.ops.meshknit
@@ -182,10 +186,86 @@ def test_openings_are_refused_with_their_faces(tube):
 
 
 def test_write_says_where_it_cannot_write(tube, tmp_path):
-    with pytest.raises(RuntimeError, match="Choose"):
-        KNIT.write_knitout()
     with pytest.raises(RuntimeError, match="cannot write"):
         KNIT.write_knitout(output=str(tmp_path / "no" / "folder" / "x.k"))
+
+
+def test_write_finds_a_place_for_its_file(tube, tmp_path, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    tube.name = "My sock"
+    KNIT.write_knitout()
+    assert session().written == str(tmp_path / "My_sock.k")
+    folder = tmp_path / "Documents"
+    folder.mkdir()
+    KNIT.write_knitout()
+    assert session().written == str(folder / "My_sock.k")
+    KNIT.write_knitout(output=str(tmp_path / "my.sock"))
+    assert session().written == str(tmp_path / "my.sock.k")
+    bpy.context.scene.meshknit.output = str(tmp_path)
+    (tmp_path / "My_sock.k").unlink()
+    KNIT.write_knitout()
+    assert (tmp_path / "My_sock.k").read_text().startswith(";!knitout-2")
+
+
+def test_write_warns_of_values_that_changed_while_it_ran(tube, tmp_path, monkeypatch, capfd):
+    run = stage_base.run_stages
+
+    def run_and_change(*arguments):
+        outcome = run(*arguments)
+        bpy.context.scene.meshknit.stitch_height = 2.0
+        return outcome
+
+    monkeypatch.setattr(stage_base, "run_stages", run_and_change)
+    KNIT.write_knitout(output=str(tmp_path / "x.k"))
+    assert "before your change" in capfd.readouterr().out
+
+
+def test_a_graph_keeps_the_scale_that_it_was_built_at(tube):
+    KNIT.build_graph()
+    tube.data.meshknit.size_mode = "SIZE"
+    tube.data.meshknit.size = 180.0
+    KNIT.solve_time()
+    assert session().results["graph"].scale == pytest.approx(1000.0)
+    assert session().results["time"].scale == pytest.approx(3000.0)
+
+
+def test_the_users_polygons_and_the_scale_are_part_of_every_key(tube):
+    model, settings = sessions.read_inputs(bpy.context, tube)
+    before = stage_keys(model, settings)
+    for other in (replace(model, face_source=model.face_source + 1), replace(model, scale=5.0)):
+        after = stage_keys(other, settings)
+        assert all(before[stage] != after[stage] for stage in before)
+
+
+def test_time_is_shown_as_modifiers_leave_the_mesh(tube):
+    KNIT.solve_time()
+    tube.modifiers.new("Subdivision", "SUBSURF").levels = 1
+    points, colors, _ = read_time_surface(tube, bpy.context.evaluated_depsgraph_get())
+    assert len(points) == len(colors) > 3 * len(tube.data.vertices)
+
+
+def test_a_changed_unit_of_the_scene_is_noticed(tube):
+    bpy.context.view_layer.update()
+    before = sessions.mesh_revision(tube)
+    bpy.context.view_layer.update()
+    assert sessions.mesh_revision(tube) == before
+    bpy.context.scene.unit_settings.scale_length = 0.5
+    bpy.context.view_layer.update()
+    assert sessions.mesh_revision(tube) > before
+
+
+def test_a_hidden_object_is_named_not_shown(tube):
+    KNIT.remove_constraint(index=1)
+    with pytest.raises(RuntimeError):
+        KNIT.solve_time()
+    tube.hide_set(True)
+    for show in (KNIT.select_problem, KNIT.select_constraint):
+        with pytest.raises(RuntimeError, match="is hidden: show it first"):
+            show(index=0)
+    tube.hide_set(False)
+    bpy.ops.object.mode_set(mode="EDIT")
+    tube.hide_viewport = True
+    assert tube.mode == "OBJECT" or not KNIT.check_mesh.poll()
 
 
 def test_without_a_mesh_steps_cannot_be_started():

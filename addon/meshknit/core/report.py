@@ -65,8 +65,8 @@ def summary_lines(report):
     if "graph" in report:
         graph = report["graph"]
         lines.append(("Rows", f"{graph['rows']} ({graph['short_rows']} short)"))
-        lines.append(("Row edges ±10 %", f"{graph['row_error']['within_10']:.1%}"))
-        lines.append(("Columns ±10 %", f"{graph['column_error']['within_10']:.1%}"))
+        lines.append(("Rows ±10 %", f"{graph['row_error']['within_10']:.1%}"))
+        lines.append(("Cols. ±10 %", f"{graph['column_error']['within_10']:.1%}"))
     if "trace" in report:
         lines.append(("Stitches", f"{report['trace']['stitches']}"))
     if "program" in report:
@@ -74,8 +74,8 @@ def summary_lines(report):
         low, high = program["needles"]
         lines.append(("Passes", f"{program['passes']}"))
         lines.append(("Needles", f"{high - low + 1} ({low} to {high})"))
-        lines.append(("Estimated time", f"{program['estimated_minutes']:.0f} min"))
+        lines.append(("Estimate", f"{program['estimated_minutes']:.0f} min"))
     if "check" in report:
         verdict = "passed" if report["check"]["ok"] else "failed"
-        lines.append(("Machine file check", verdict))
+        lines.append(("File check", verdict))
     return lines

@@ -14,6 +14,7 @@ class Session:
     problems: list = field(default_factory=list)
     report: dict = field(default_factory=dict)
     message: str = ""
+    written: str = ""  # the machine file's full path, once it is there
     revision: int = 0  # grows with every change that a drawing must follow
 
     def adopt(self, outcome, report):

@@ -17,12 +17,14 @@ ENDS = {"check": 0.03, "time": 0.08, "graph": 0.5, "trace": 0.55, "schedule": 0.
 
 @dataclass(frozen=True)
 class StageResult:
-    """What a stage returned: an object of the library, the problems it noted, its seconds."""
+    """What a stage returned: an object of the library, the problems it noted, its seconds; and
+    the model's mm per unit, by which the object goes back to the scene."""
 
     key: str
     value: object
     seconds: float
     problems: tuple = ()
+    scale: float = 1.0
 
 
 @dataclass
@@ -50,7 +52,9 @@ class _Failed(Exception):
 
 def stage_keys(model, settings):
     """The key of every stage's result for this model with these settings."""
-    check = digest("check", model.vertices, model.faces, settings.stitch_width)
+    # Problems name the user's polygons, and what is drawn is in units of the scene.
+    named = (model.face_source, model.scale)
+    check = digest("check", model.vertices, model.faces, *named, settings.stitch_width)
     marks = [(c.vertices, c.time) for c in model.constraints]
     own = model.own_time if model.own_time is not None else marks
     field_key = digest("time", check, own, model.openings)
@@ -115,7 +119,7 @@ def _run_stage(library, stage, model, settings, outcome, context):
     value, problems = _RUN[stage](library, model, settings, before, context)
     seconds = time.perf_counter() - began
     named = tuple(named_for_user(model, p) for p in problems)
-    return StageResult(outcome.keys[stage], value, seconds, named)
+    return StageResult(outcome.keys[stage], value, seconds, named, model.scale)
 
 
 def _check(library, model, settings, before, context):

@@ -10,6 +10,7 @@ from . import (
     cancel,
     check_mesh,
     remove_constraint,
+    running_step,
     schedule,
     select_constraint,
     select_problem,
@@ -40,6 +41,7 @@ def register():
 
 
 def unregister():
+    running_step.stop(bpy.context)
     for module in reversed(MODULES):
         for cls in reversed(module.CLASSES):
             bpy.utils.unregister_class(cls)

@@ -4,6 +4,7 @@ import bpy
 from bpy.props import IntProperty
 
 from .. import names
+from ..core.errors import UsageError
 from ..scene import constraints
 from ..scene.edit_mode import active_mesh, object_mode
 from ..scene.select_elements import select_elements
@@ -27,13 +28,17 @@ class MESHKNIT_OT_select_constraint(bpy.types.Operator):
         ob = active_mesh(context)
         settings = getattr(ob.data, names.PROPERTIES)
         index = settings.active if self.index < 0 else self.index
-        with object_mode(ob):
-            rows = constraints.edges_of_constraint(ob.data, index)
-            edges = constraints.edge_vertices(ob.data)[rows].tolist()
-        if not edges:
-            self.report({"WARNING"}, "This constraint has no edges any more")
+        try:
+            with object_mode(ob):
+                rows = constraints.edges_of_constraint(ob.data, index)
+                edges = constraints.edge_vertices(ob.data)[rows].tolist()
+            if not edges:
+                self.report({"WARNING"}, "This constraint has no edges any more")
+                return {"CANCELLED"}
+            select_elements(context, ob, edges=edges)
+        except UsageError as error:
+            self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        select_elements(context, ob, edges=edges)
         return {"FINISHED"}
 
 

@@ -4,6 +4,7 @@ import bpy
 from bpy.props import IntProperty
 
 from .. import names
+from ..core.errors import UsageError
 from ..scene import sessions
 from ..scene.edit_mode import active_mesh
 from ..scene.select_elements import nearest_vertices, select_elements
@@ -32,6 +33,17 @@ class MESHKNIT_OT_select_problem(bpy.types.Operator):
         if session.report.get("mesh", {}).get("vertices") != len(ob.data.vertices):
             self.report({"WARNING"}, "Modifiers change the vertices: apply them to see the place")
             return {"CANCELLED"}
+        try:
+            found = self._select(context, ob, session)
+        except UsageError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        if not found:
+            self.report({"WARNING"}, "This problem names no part of the mesh as it is now")
+        return {"FINISHED"}
+
+    def _select(self, context, ob, session):
+        """-> how many elements were selected. Throws UsageError."""
         elements = session.problems[self.index]["elements"]
         vertices = list(elements.get("vertices", ()))
         surface, graph = session.value("check"), session.value("graph")
@@ -45,12 +57,9 @@ class MESHKNIT_OT_select_problem(bpy.types.Operator):
         if graph is not None and nodes:
             model, _ = sessions.read_inputs(context, ob)
             vertices += nearest_vertices(model.vertices, graph.nodes[nodes, :3])
-        found = select_elements(
+        return select_elements(
             context, ob, vertices, elements.get("edges", ()), elements.get("faces", ())
         )
-        if not found:
-            self.report({"WARNING"}, "This problem names no part of the mesh as it is now")
-        return {"FINISHED"}
 
 
 CLASSES = (MESHKNIT_OT_select_problem,)

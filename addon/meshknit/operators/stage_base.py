@@ -8,16 +8,20 @@ from ..core.job import Job
 from ..core.report import build_report
 from ..core.workflow import run_stages
 from ..scene import sessions
-from ..scene.edit_mode import active_mesh, object_mode
+from ..scene.edit_mode import active_mesh, hidden_text, object_mode
 from ..scene.time_attribute import publish_time
-
-POLL_SECONDS = 0.1
+from . import running_step
 
 
 def poll_mesh(cls, context):
-    """True if the active object is a mesh and nothing runs; says why not where Blender can."""
-    if active_mesh(context) is None:
+    """True if the active object is a mesh that can be read and nothing runs; says why not where
+    Blender can."""
+    ob = active_mesh(context)
+    if ob is None:
         cls.poll_message_set("Choose a mesh object")
+        return False
+    if ob.mode != "OBJECT" and not ob.visible_get():
+        cls.poll_message_set(hidden_text(ob))
         return False
     if sessions.job() is not None:
         cls.poll_message_set("A step is running; Esc cancels it")
@@ -48,11 +52,8 @@ class StageOperator:
         if work is None:
             return {"CANCELLED"}
         self._job = Job(work, native.load().RunContext())
-        sessions.set_job(self._job)
-        manager = context.window_manager
-        manager.progress_begin(0, 100)
-        self._timer = manager.event_timer_add(POLL_SECONDS, window=context.window)
-        manager.modal_handler_add(self)
+        self._shown = running_step.RunningStep(context, self.bl_label, self._job)
+        context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
@@ -62,13 +63,9 @@ class StageOperator:
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
         if self._job.running:
-            context.window_manager.progress_update(int(100 * self._job.progress))
-            context.workspace.status_text_set(
-                f"{self.bl_label}: {self._job.progress:.0%}   |   Esc: cancel"
-            )
-            sessions.redraw(context)
+            self._shown.update(context)
             return {"PASS_THROUGH"}
-        self._end_job(context)
+        self._shown.end(context)
         if self._job.error:
             self.report({"ERROR"}, f"Please report this: {self._job.error}")
             return {"CANCELLED"}
@@ -76,16 +73,7 @@ class StageOperator:
 
     def cancel(self, context):
         """Blender closes, or loads another file, while the job runs."""
-        self._job.cancel()
-        self._job.wait()
-        self._end_job(context)
-
-    def _end_job(self, context):
-        sessions.set_job(None)
-        context.window_manager.event_timer_remove(self._timer)
-        context.window_manager.progress_end()
-        context.workspace.status_text_set(None)
-        sessions.redraw(context)
+        running_step.stop(context)
 
     def _prepare(self, context):
         """Reads all that the run needs. -> a function of a RunContext that returns the outcome,
@@ -113,9 +101,12 @@ class StageOperator:
             return {"CANCELLED"}
         report = build_report(native.load(), self._model, self._settings, outcome)
         sessions.session_of(ob).adopt(outcome, report)
-        with object_mode(ob):
-            if "time" in outcome.results and self._model.own_time is None:
-                publish_time(ob, self._model, outcome.results["time"].value[0])
+        if "time" in outcome.results and self._model.own_time is None:
+            try:
+                with object_mode(ob):
+                    publish_time(ob, self._model, outcome.results["time"].value[0])
+            except UsageError as error:
+                self.report({"WARNING"}, f"The time colours could not be shown: {error}")
         sessions.touch(ob)
         if not outcome.ok:
             self.report({"ERROR"}, outcome.message)

@@ -23,15 +23,16 @@ def _draw_view():
     import gpu
 
     session = sessions.known_session(ob)
-    unit = _unit(session, shown)
     gpu.state.blend_set("ALPHA")
     gpu.state.depth_test_set("LESS_EQUAL")
     if shown.show_time and ob.mode == "OBJECT":
-        _draw_batch(_time_batch(ob, session), 0.3 * LIFT * unit, ob.matrix_world)
+        lift = 0.3 * LIFT * _unit(session, shown, "time")
+        _draw_batch(_time_batch(ob, session), lift, ob.matrix_world)
     if shown.show_graph and session is not None and session.value("graph") is not None:
         thin, thick = _graph_batches(ob, session)
-        _draw_batch(thin, LIFT * unit)
-        _draw_batch(thick, 1.2 * LIFT * unit, shader=_thick_shader())
+        lift = LIFT * _unit(session, shown, "graph")
+        _draw_batch(thin, lift)
+        _draw_batch(thick, 1.2 * lift, shader=_thick_shader())
     gpu.state.depth_test_set("NONE")
     gpu.state.blend_set("NONE")
 
@@ -63,11 +64,13 @@ def _thick_shader():
 
 
 def _time_batch(ob, session):
-    stale = session is not None and bool(session.results) and not session.is_fresh("time")
+    # A field of the user's own is always as it should be. One from a file is not known to be.
+    own = getattr(ob.data, names.PROPERTIES).time_source == "ATTRIBUTE"
+    stale = not own and (session is None or not session.is_fresh("time"))
     signature = (compat.object_key(ob), sessions.mesh_revision(ob), stale)
 
     def make():
-        surface = read_time_surface(ob)
+        surface = read_time_surface(ob, bpy.context.evaluated_depsgraph_get())
         if surface is None:
             return None
         triangles = overlay_data.time_triangles(*surface, stale)
@@ -82,8 +85,8 @@ def _graph_batches(ob, session):
     signature = (compat.object_key(ob), session.revision, stale)
 
     def make():
-        scale = session.report["mesh"]["scale"]
-        thin, thick = overlay_data.graph_lines(session.value("graph"), scale, stale)
+        graph = session.results["graph"]
+        thin, thick = overlay_data.graph_lines(graph.value, graph.scale, stale)
         return (
             _new_batch("LINES", {"pos": thin.points, "color": thin.colors}),
             _new_batch("LINES", {"pos": thick.points, "color": thick.colors}, None, "POLYLINE_"),
@@ -160,10 +163,10 @@ def _active():
     return ob, shown
 
 
-def _unit(session, shown):
-    """A stitch height in scene units."""
-    scale = session.report["mesh"]["scale"] if session and "mesh" in session.report else 1000.0
-    return shown.stitch_height / scale
+def _unit(session, shown, stage):
+    """A stitch height in scene units, at the scale of a stage's own run."""
+    result = session.results.get(stage) if session is not None else None
+    return shown.stitch_height / (result.scale if result is not None else 1000.0)
 
 
 def register():

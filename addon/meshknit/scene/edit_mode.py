@@ -4,6 +4,8 @@ from contextlib import contextmanager
 
 import bpy
 
+from ..core.errors import UsageError
+
 
 def active_mesh(context):
     """The active object if it is a mesh, else None. Asks the view layer: `context.object` is
@@ -12,12 +14,19 @@ def active_mesh(context):
     return ob if ob is not None and ob.type == "MESH" else None
 
 
+def hidden_text(ob):
+    """Why a hidden object cannot change its mode."""
+    return f"{ob.name} is hidden: show it first"
+
+
 @contextmanager
 def object_mode(ob):
     """Leaves the mode of the active object `ob`, and comes back to it in the end: attributes cannot
-    be reached in Edit Mode."""
+    be reached in Edit Mode. Throws UsageError where Blender does not let go of the mode."""
     mode = ob.mode
     if mode != "OBJECT":
+        if not ob.visible_get():
+            raise UsageError(hidden_text(ob))
         bpy.ops.object.mode_set(mode="OBJECT")
     try:
         yield

@@ -7,10 +7,17 @@ from ..core.colors import time_colors
 from .attributes import positions, read_attribute
 
 
-def read_time_surface(ob):
-    """-> (positions, colours, triangles) in the object's own space, or None without a
-    field. Requires Object Mode."""
-    mesh = ob.data
+def read_time_surface(ob, depsgraph):
+    """-> (positions, colours, triangles) in the object's own space, as its modifiers leave it, or
+    None without a field. Where a modifier drops the field, as it is without modifiers. Requires
+    Object Mode."""
+    evaluated = ob.evaluated_get(depsgraph)
+    surface = _read(evaluated.to_mesh())
+    evaluated.to_mesh_clear()
+    return surface if surface is not None else _read(ob.data)
+
+
+def _read(mesh):
     times = read_attribute(mesh, names.TIME, "FLOAT", "POINT")
     if times is None or not len(times):
         return None

@@ -4,10 +4,15 @@ import bmesh
 import bpy
 import numpy as np
 
+from ..core.errors import UsageError
+from .edit_mode import hidden_text
+
 
 def select_elements(context, ob, vertices=(), edges=(), faces=()):
     """`ob` is the active object. Edges are vertex pairs. Elements that are not there are left out.
-    -> how many were selected"""
+    -> how many were selected. Throws UsageError for a hidden object."""
+    if not ob.visible_get():
+        raise UsageError(hidden_text(ob))
     if ob.mode != "EDIT":
         bpy.ops.object.mode_set(mode="EDIT")
     only_faces = len(faces) > 0 and not len(vertices) and not len(edges)

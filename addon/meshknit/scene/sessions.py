@@ -18,6 +18,7 @@ SECONDS_OF_REST = 0.4  # how long nothing may change before an object is looked 
 _sessions = {}
 _touched = set()
 _revisions = {}  # of every object's mesh, for drawing
+_unit_scale = None  # of the scene, as last seen
 _job = None
 
 
@@ -42,21 +43,27 @@ def set_job(running):
 
 
 def read_inputs(context, ob):
-    """-> (model, settings) of the active object. Throws UsageError."""
+    """-> (model, settings) of the active object, in any mode. For operators, which may change the
+    mode. Throws UsageError."""
     with object_mode(ob):
-        context.view_layer.update()
-        model = read_model(ob, context.evaluated_depsgraph_get(), context.scene)
+        return _read_inputs(context, ob)
+
+
+def _read_inputs(context, ob):
+    context.view_layer.update()
+    model = read_model(ob, context.evaluated_depsgraph_get(), context.scene)
     return model, read_settings(context.scene)
 
 
 def look_again(context, ob):
-    """Compares the object with its results, so that stale ones are shown as such."""
+    """Compares the object with its results, so that stale ones are shown as such. Requires Object
+    Mode: it runs at any moment, when changing the mode could end what a person does."""
     _touched.discard(compat.object_key(ob))
     session = known_session(ob)
     if session is None or not session.results:
         return
     try:
-        session.look_at(stage_keys(*read_inputs(context, ob)))
+        session.look_at(stage_keys(*_read_inputs(context, ob)))
     except UsageError as error:
         session.look_at({})
         session.message = str(error)
@@ -90,8 +97,10 @@ def touch_users(data, context):
 def _look_at_touched():
     context = bpy.context
     waiting = [ob for ob in context.scene.objects if compat.object_key(ob) in _touched]
-    # In Edit Mode attributes cannot be read: the look is taken after leaving it.
-    if _job is not None or any(ob.mode == "EDIT" for ob in waiting):
+    active = context.view_layer.objects.active
+    at_work = [ob for ob in (active, *waiting) if ob is not None and ob.mode != "OBJECT"]
+    # While a person edits, paints or sculpts, perhaps in mid-stroke, the look waits.
+    if _job is not None or at_work:
         return SECONDS_OF_REST
     for ob in waiting:
         look_again(context, ob)
@@ -118,6 +127,10 @@ def _after_load(_):
 
 @persistent
 def _after_undo(scene, _depsgraph=None):
+    _touch_all(scene)
+
+
+def _touch_all(scene):
     for ob in scene.objects:
         if ob.type == "MESH":
             touch(ob)
@@ -125,6 +138,10 @@ def _after_undo(scene, _depsgraph=None):
 
 @persistent
 def _after_change(scene, depsgraph):
+    global _unit_scale
+    if scene.unit_settings.scale_length != _unit_scale:
+        _unit_scale = scene.unit_settings.scale_length
+        _touch_all(scene)
     for update in depsgraph.updates:
         if update.is_updated_geometry or update.is_updated_transform:
             ob = update.id.original

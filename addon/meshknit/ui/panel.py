@@ -4,6 +4,7 @@ import bpy
 
 from .. import compat, names, native
 from ..scene import sessions
+from .text import draw_text, draw_value
 
 
 class KnitPanel:
@@ -31,11 +32,11 @@ class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
         missing = native.why_missing()
         if missing:
             box = layout.box()
-            box.label(text="The compiled part is missing.", icon="ERROR")
-            box.label(text="Run `make build`, then restart Blender.")
+            draw_text(box, context, "The compiled part is missing.", "ERROR")
+            draw_text(box, context, "Run `make build`, then restart Blender.")
             return
         if not KnitPanel.poll(context):
-            layout.label(text="Choose a mesh object, or add one:")
+            draw_text(layout, context, "Choose a mesh object, or add one:")
             layout.menu(names.MENU_SHAPES, text="Add a Knit Shape", icon="MATCLOTH")
             return
         job = sessions.job()
@@ -59,29 +60,32 @@ class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
 
     def draw(self, context):
         layout = self.layout
-        layout.use_property_split = True
-        layout.use_property_decorate = False
         scene = getattr(context.scene, names.PROPERTIES)
         mesh = getattr(context.object.data, names.PROPERTIES)
-        layout.prop(mesh, "size_mode")
+        layout.label(text="Size from:")
+        layout.prop(mesh, "size_mode", text="")
         longest = max(context.object.dimensions)
         if mesh.size_mode == "SIZE":
-            layout.prop(mesh, "size")
+            layout.label(text="Longest side, in mm:")
+            layout.prop(mesh, "size", text="")
             if longest > 0.0:
-                layout.label(text=f"Scale: {mesh.size / longest:.4g} mm per unit")
+                draw_value(layout, "mm per unit", f"{mesh.size / longest:.4g}")
         else:
             if mesh.size_mode == "SCALE":
-                layout.prop(mesh, "scale")
+                layout.label(text="mm per unit:")
+                layout.prop(mesh, "scale", text="")
                 scale = mesh.scale
             else:
                 scale = 1000.0 * context.scene.unit_settings.scale_length
-                layout.label(text=f"Scale: {scale:.4g} mm per unit")
-            layout.label(text=f"Longest side: {longest * scale:.0f} mm")
+                draw_value(layout, "mm per unit", f"{scale:.4g}")
+            draw_value(layout, "Longest", f"{longest * scale:.0f} mm")
+        layout.label(text="One stitch, in mm:")
         column = layout.column(align=True)
-        column.prop(scene, "stitch_width")
-        column.prop(scene, "stitch_height")
-        layout.prop(scene, "machine")
-        layout.prop(scene, "machine_file")
+        column.prop(scene, "stitch_width", text="Width")
+        column.prop(scene, "stitch_height", text="Height")
+        layout.label(text="Machine, or its profile:")
+        layout.prop(scene, "machine", text="")
+        layout.prop(scene, "machine_file", text="")
 
 
 class MESHKNIT_UL_constraints(bpy.types.UIList):
@@ -104,7 +108,7 @@ class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         mesh = getattr(context.object.data, names.PROPERTIES)
-        layout.prop(mesh, "time_source", text="From")
+        layout.prop(mesh, "time_source", text="")
         if mesh.time_source == "ATTRIBUTE":
             return
         row = layout.row()
@@ -115,7 +119,7 @@ class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
         if context.object.mode == "EDIT":
             column.operator(names.OP_ADD_CONSTRAINT, icon="ADD")
         else:
-            column.label(text="Edit Mode: add from selected edges")
+            column.label(text="Edit Mode: from edges")
 
 
 CLASSES = (

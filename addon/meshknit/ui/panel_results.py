@@ -1,13 +1,12 @@
 """The sidebar's Knit tab: numbers, problems, display."""
 
-import textwrap
-
 import bpy
 
 from .. import names
 from ..core.report import summary_lines
 from ..scene import sessions
 from .panel import KnitPanel
+from .text import draw_text, draw_value
 
 ICONS = {"error": "CANCEL", "warning": "ERROR", "note": "INFO"}
 MOST_PROBLEMS = 12
@@ -26,27 +25,22 @@ class MESHKNIT_PT_results(KnitPanel, bpy.types.Panel):
             return
         stale = session.stale_stages()
         if stale:
-            layout.label(text="Of an earlier state: " + ", ".join(stale), icon="FILE_REFRESH")
+            draw_text(layout, context, "Out of date: " + ", ".join(stale), "FILE_REFRESH")
         lines = layout.column(align=True)
         lines.active = not stale
         for name, value in summary_lines(session.report):
-            row = lines.row()
-            row.label(text=name)
-            row.label(text=value)
-        width = max(16, (context.region.width - 50) // 7)  # characters
+            draw_value(lines, name, value)
+        if session.written:
+            draw_text(layout, context, f"Written: {session.written}", "FILE_TICK")
         for index, problem in enumerate(session.problems[:MOST_PROBLEMS]):
-            self._draw_problem(layout.box(), index, problem, width)
+            self._draw_problem(context, layout.box(), index, problem)
         left = len(session.problems) - MOST_PROBLEMS
         if left > 0:
-            layout.label(text=f"and {left} more, in the report")
+            layout.label(text=f"and {left} more")
 
-    def _draw_problem(self, box, index, problem, width):
-        column = box.column(align=True)
-        icon = ICONS[problem["severity"]]
-        for text in (problem["message"], problem["remedy"]):
-            for line in textwrap.wrap(text, width):
-                column.label(text=line, icon=icon)
-                icon = "BLANK1"
+    def _draw_problem(self, context, box, index, problem):
+        draw_text(box, context, problem["message"], ICONS[problem["severity"]])
+        draw_text(box, context, problem["remedy"], "BLANK1")
         if problem["elements"]:
             select = box.operator(names.OP_SELECT_PROBLEM, text="Show", icon="VIEWZOOM")
             select.index = index
