@@ -1,5 +1,7 @@
 #include "meshknit/pipeline/pipeline.h"
 
+#include <cmath>
+
 #include "meshknit/core/error.h"
 #include "meshknit/knitout/knitout_writer.h"
 #include "meshknit/schedule/schedule_checks.h"
@@ -17,6 +19,31 @@ void keep_promise(const char* stage, const Problems& problems) {
                           "): " + p.message);
 }
 
+// Below these parts of edges within 10 % of their length, the knitted shape will differ visibly.
+constexpr double good_rows = 0.93, good_columns = 0.85;
+
+void warn_of_poor_fit(CheckedGraph& result) {
+  const LengthError &rows = result.stats.row_error, &columns = result.stats.column_error;
+  if (rows.within_10 >= good_rows && columns.within_10 >= good_columns) return;
+  Problem problem;
+  problem.code = "poor-fit";
+  problem.severity = Severity::warning;
+  problem.message =
+      "Only " + std::to_string(std::lround(100.0 * rows.within_10)) +
+      " % of the row edges and " + std::to_string(std::lround(100.0 * columns.within_10)) +
+      " % of the columns are within 10 % of the stitch's size: the knitted piece will "
+      "differ from the model.";
+  problem.remedy =
+      "Look at the places that are named: smooth details smaller than a few stitches, keep "
+      "openings "
+      "level with the rows, or choose a finer gauge.";
+  const KnitGraph& graph = result.graph;
+  for (std::size_t i = 0; i < graph.columns.size(); ++i)
+    if (std::abs(graph.column_lengths[i] / (2.0 * graph.stitch_height) - 1.0) > 0.2)
+      problem.elements.nodes.push_back(graph.columns[i][1]);
+  result.check.problems.push_back(std::move(problem));
+}
+
 }  // namespace
 
 CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>& time,
@@ -29,6 +56,7 @@ CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>&
   result.check = check_knit_graph(result.graph);
   keep_promise("Remeshing", result.check.problems);
   result.stats = measure_graph(result.graph);
+  warn_of_poor_fit(result);
   return result;
 }
 

@@ -21,6 +21,7 @@ namespace meshknit {
 // checkers that tests call. All throw NotKnittable for the model's faults, BrokenPromise
 // (naming the stage and the check) for ours, and Cancelled.
 
+/// `check` also warns ("poor-fit") where many edges are far from the stitch's size.
 struct CheckedGraph {
   KnitGraph graph;
   KnitGraphCheck check;  ///< without errors

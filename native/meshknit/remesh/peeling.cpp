@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "meshknit/core/error.h"
+#include "meshknit/remesh/distance_to_end.h"
 #include "meshknit/remesh/finish_graph.h"
 #include "meshknit/remesh/relaxation.h"
 #include "meshknit/remesh/sampling.h"
@@ -84,13 +85,8 @@ void Peeling::start(const Surface& surface, int a, int b) {
   slicer_ = std::make_unique<Slicer>(state_, last_);
   trimmer_ = std::make_unique<Trimmer>(state_, last_);
 
-  // Distances back from the end, for sharing out the last rows.
-  std::vector<double> to_end(state_.mesh.n_vertices(), std::numeric_limits<double>::infinity());
-  state_.knitted.assign(last_.begin(), last_.end());
-  band_->measure(cycle_beside(state_, last_), (RowHeights::shared_rows + 1) * row_height_);
-  for (const int v : band_->reached()) to_end[v] = band_->distance(v);
-  for (std::size_t v = 0; v < last_.size(); ++v)
-    if (last_[v]) to_end[v] = 0.0;
+  std::vector<double> to_end =
+      distance_to(state_, last_, (RowHeights::shared_rows + 1) * row_height_);
   heights_ = std::make_unique<RowHeights>(std::move(to_end), row_height_);
 
   state_.knitted.assign(first.begin(), first.end());

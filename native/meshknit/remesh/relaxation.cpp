@@ -47,12 +47,16 @@ void relax_nodes(const TriangleMesh& mesh, const std::vector<double>& time,
     for (std::size_t i = 0; i < n; ++i) {
       if (!has_below[i] || !has_above[i]) continue;
       const FacePoint moved = walk(mesh, {faces[i], graph.nodes[i].position}, pull[i]);
+      if (moved.face < 0) continue;  // over a rim: the rows there are the boundaries' own
       faces[i] = moved.face;
       graph.nodes[i].position = moved.position;
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector3d weight = corner_weights(mesh, {faces[i], graph.nodes[i].position});
+    // Rounding must not lead beyond the field's range.
+    Eigen::Vector3d weight =
+        corner_weights(mesh, {faces[i], graph.nodes[i].position}).cwiseMax(0.0);
+    weight /= weight.sum();
     auto h = mesh.halfedge_handle(TriangleMesh::FaceHandle(faces[i]));
     double at = 0.0;
     for (int k = 0; k < 3; ++k, h = mesh.next_halfedge_handle(h))

@@ -1,5 +1,6 @@
 #include "meshknit/remesh/remesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -26,23 +27,53 @@ void require_one_tube(const Surface& surface) {
   throw NotKnittable({problem});
 }
 
-// More nodes than any bed holds or any night knits: nearly always a wrong unit. Refused before
-// memory runs out.
+// More than any machine knits: nearly always a wrong unit or gauge. Refused before memory runs out.
 constexpr double most_nodes = 300000.0;
+constexpr double most_in_a_row = 4000.0;
+constexpr double most_fine_triangles = 6e6;
+
+std::string percent(double part) {
+  return std::to_string(std::max(1L, std::lround(100.0 * part))) + " %";
+}
 
 void require_sensible_size(const Surface& surface, const RemeshOptions& options) {
-  const double nodes = surface.area / (2.0 * options.stitch_height * options.stitch_width);
-  if (nodes <= most_nodes) return;
+  const double row_height = 2.0 * options.stitch_height;
+  const double nodes = surface.area / (row_height * options.stitch_width);
+  double row = 0.0;
+  for (const BoundaryLoop& loop : surface.boundaries)
+    row = std::max(row, loop.length / options.stitch_width);
+  // Triangles of the fine mesh have edges of at most a part of the smaller dimension.
+  const double fine =
+      4.0 * surface.area / std::pow(std::min(row_height, options.stitch_width), 2);
+  if (nodes <= most_nodes && row <= most_in_a_row && fine <= most_fine_triangles) return;
+  const double part = std::min({std::sqrt(most_nodes / nodes), most_in_a_row / row,
+                                std::sqrt(most_fine_triangles / fine)});
   Problem problem;
   problem.code = "too-many-stitches";
-  problem.message = "At this size the surface has " +
-                    std::to_string(std::lround(surface.area / 1e6)) +
-                    " square metres, which take more than " +
-                    std::to_string(std::lround(2.0 * most_nodes)) + " stitches.";
+  problem.message =
+      "At this size and gauge the object is too large to knit: its openings are up to " +
+      std::to_string(std::lround(std::min(row, 1e12))) +
+      " stitches round, its surface takes about " +
+      std::to_string(std::lround(std::min(2.0 * nodes, 1e15))) + " stitches.";
   problem.remedy =
-      "Check the size or scale: lengths are taken as millimetres after scaling. At " +
-      std::to_string(static_cast<int>(100.0 * std::sqrt(most_nodes / nodes))) +
-      " % of this size it could be tried.";
+      "Check the size or scale (lengths are millimetres after scaling) and the stitch's width "
+      "and "
+      "height. At " +
+      percent(part) + " of this size or less it could be tried.";
+  throw NotKnittable({problem});
+}
+
+// A row must fit between the openings, or there is nothing to knit but two rims.
+void require_some_rows(const Surface& surface, const RemeshOptions& options) {
+  double rim = 0.0;
+  for (const BoundaryLoop& loop : surface.boundaries) rim += 0.5 * loop.length;
+  const double rows = surface.area / (rim * 2.0 * options.stitch_height);
+  if (rows >= 1.5) return;
+  Problem problem;
+  problem.code = "too-flat";
+  problem.message =
+      "There is room for less than two rows between the openings at this size and gauge.";
+  problem.remedy = "Make the object larger, its openings smaller, or the stitches less high.";
   throw NotKnittable({problem});
 }
 
@@ -56,6 +87,7 @@ KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
     throw InvalidInput("remesh: stitch width and height must be positive");
   require_one_tube(surface);
   require_sensible_size(surface, options);
+  require_some_rows(surface, options);
   report(run, 0.0);
   Peeling peeling(surface, time, options);
   while (!peeling.done()) {

@@ -19,7 +19,7 @@ struct RemeshOptions {
 /// early to the late boundary; then node positions are relaxed.
 /// Requires: a surface without errors; time per mesh vertex with check_time_field(...) free of errors.
 /// Throws: NotKnittable ("needs-one-tube" for surfaces other than one tube, "too-many-stitches" for
-/// sizes that are nearly always a wrong unit, and reasons that name the place); InvalidInput; Cancelled.
+/// sizes that are nearly always a wrong unit, "too-flat" for less than two rows, and reasons that name the place); InvalidInput; Cancelled.
 /// Ensures: check_knit_graph(result) has no errors.
 KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
                  const RemeshOptions& options = {}, RunContext* run = nullptr);

@@ -14,8 +14,8 @@ struct FacePoint {
 
 /// Surface distance of two points a few triangles apart: the length of the section of the
 /// surface with the plane through both points and their mean normal. It differs from the
-/// geodesic by a term of higher order in their distance. The straight distance where the
-/// section leaves the surface.
+/// geodesic by a term of higher order in their distance. Over sharp edges both ways
+/// round the plane are tried. The straight distance where the section leaves the surface.
 double section_length(const TriangleMesh& mesh, const FacePoint& from, const FacePoint& to);
 
 }  // namespace meshknit

@@ -71,7 +71,7 @@ FacePoint walk(const TriangleMesh& mesh, const FacePoint& from, const Eigen::Vec
     const auto h = c.out[(leave + 1) % 3];
     const auto back = mesh.opposite_halfedge_handle(h);
     at.position += least * rest;
-    if (mesh.is_boundary(back)) return at;
+    if (mesh.is_boundary(back)) return {-1, at.position};
     rest *= 1.0 - least;
     // Turn what is left of the way about the edge into the next triangle's plane.
     const int next = mesh.face_handle(back).idx();

@@ -12,8 +12,8 @@ namespace meshknit {
 Eigen::Vector3d corner_weights(const TriangleMesh& mesh, const FacePoint& point);
 
 /// Walks straight over the surface by a vector of the start triangle's plane (its normal part
-/// is ignored), unfolding triangles on the way. Stops at a boundary. The result lies in its
-/// triangle.
+/// is ignored), unfolding triangles on the way. The result lies in its triangle; a walk that
+/// meets a boundary stops there, and its result has no triangle (-1).
 FacePoint walk(const TriangleMesh& mesh, const FacePoint& from, const Eigen::Vector3d& by);
 
 }  // namespace meshknit

@@ -46,6 +46,7 @@ TEST(Walk, StopsAtTheRim) {
   const TriangleMesh mesh = tube_mesh();
   const FacePoint end = walk(mesh, centre_of(mesh, 400), {0.0, 0.0, 1000.0});
   EXPECT_NEAR(end.position.z(), 50.0, 1e-9);
+  EXPECT_EQ(end.face, -1);
 }
 
 TEST(Walk, EndsInItsTriangle) {
@@ -57,8 +58,31 @@ TEST(Walk, EndsInItsTriangle) {
       const Eigen::Vector3d across = across_of(mesh, start);
       const FacePoint end = walk(
           mesh, start, 9.0 * (std::cos(a) * across + std::sin(a) * Eigen::Vector3d::UnitZ()));
+      if (end.face < 0) continue;  // over the rim
       EXPECT_GE(corner_weights(mesh, end).minCoeff(), -1e-9);
     }
+}
+
+// Over an edge of 60 degrees the shortest way may begin by going back from the straight line.
+TEST(SectionLength, GoesOverASharpEdgeTheShortWay) {
+  TriangleMesh mesh;
+  // Two walls of a three-sided prism, 30 mm wide and 20 mm high, that meet at x = y = 0.
+  const double s = std::sin(pi / 6.0), c = std::cos(pi / 6.0);
+  std::vector<TriangleMesh::VertexHandle> v;
+  for (const double z : {0.0, 20.0})
+    for (const Eigen::Vector3d& p :
+         {Eigen::Vector3d(30.0 * s, 30.0 * c, z), Eigen::Vector3d(0.0, 0.0, z),
+          Eigen::Vector3d(-30.0 * s, 30.0 * c, z)})
+      v.push_back(mesh.add_vertex(p));
+  for (int wall = 0; wall < 2; ++wall) {
+    mesh.add_face(v[wall], v[wall + 1], v[wall + 4]);
+    mesh.add_face(v[wall], v[wall + 4], v[wall + 3]);
+  }
+  const auto at = [&](int face, double side, double from_edge, double z) {
+    return FacePoint{face, Eigen::Vector3d(side * from_edge * s, from_edge * c, z)};
+  };
+  // 2 mm from the edge on either wall, at one height: 4 mm over the edge.
+  EXPECT_NEAR(section_length(mesh, at(0, 1.0, 2.0, 1.0), at(2, -1.0, 2.0, 1.0)), 4.0, 0.02);
 }
 
 TEST(SectionLength, GoesRoundTheTubeNotThroughIt) {

@@ -1,0 +1,68 @@
+#include "meshknit/remesh/distance_to_end.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace meshknit {
+namespace {
+
+// Distance at the third corner of a triangle whose other two corners a and b have theirs: a plane wave
+// through both, or along an edge where the wave would not come through the triangle.
+double through_triangle(double d_a, double d_b, const Eigen::Vector3d& to_a,
+                        const Eigen::Vector3d& to_b) {
+  const double along_edges = std::min(d_a + to_a.norm(), d_b + to_b.norm());
+  // Q = (V V^T)^-1 with V the two edges; d solves 1^T Q 1 d^2 - 2 1^T Q p d + p^T Q p - 1 = 0.
+  Eigen::Matrix2d gram;
+  gram << to_a.dot(to_a), to_a.dot(to_b), to_a.dot(to_b), to_b.dot(to_b);
+  if (!(gram.determinant() > 0.0)) return along_edges;
+  const Eigen::Matrix2d q = gram.inverse();
+  const Eigen::Vector2d ones(1.0, 1.0), p(d_a, d_b);
+  const double a = ones.dot(q * ones), b = ones.dot(q * p), c = p.dot(q * p) - 1.0;
+  const double inside = b * b - a * c;
+  if (inside < 0.0) return along_edges;
+  const double d = (b + std::sqrt(inside)) / a;
+  const Eigen::Vector2d slope = q * (p - d * ones);
+  // Distances must grow from triangle to triangle, also over obtuse ones, or the march would not end.
+  const bool through = slope.maxCoeff() < 0.0 && d > p.maxCoeff();
+  return through ? std::min(d, along_edges) : along_edges;
+}
+
+}  // namespace
+
+std::vector<double> distance_to(const PeelState& state, const std::vector<char>& marked,
+                                double limit) {
+  const TriangleMesh& mesh = state.mesh;
+  std::vector<double> distance(mesh.n_vertices(), std::numeric_limits<double>::infinity());
+  std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>,
+                      std::greater<>>
+      queue;
+  const auto offer = [&](int v, double d) {
+    if (d >= distance[v] || d > limit) return;
+    distance[v] = d;
+    queue.push({d, v});
+  };
+  for (std::size_t v = 0; v < marked.size(); ++v)
+    if (marked[v]) offer(static_cast<int>(v), 0.0);
+  while (!queue.empty()) {
+    const auto [d, v] = queue.top();
+    queue.pop();
+    if (d > distance[v]) continue;
+    for (const auto h : mesh.voh_range(TriangleMesh::VertexHandle(v))) {
+      const int w = state.to(h.idx());
+      offer(w, d + state.length(h.idx()));
+      if (mesh.is_boundary(h)) continue;
+      const int third = state.to(mesh.next_halfedge_handle(h).idx());
+      for (const auto& [known, other] : {std::pair<int, int>{w, third}, {third, w}})
+        if (std::isfinite(distance[known]))
+          offer(other, through_triangle(d, distance[known], state.point(v) - state.point(other),
+                                        state.point(known) - state.point(other)));
+    }
+  }
+  return distance;
+}
+
+}  // namespace meshknit
