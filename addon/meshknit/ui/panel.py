@@ -62,8 +62,9 @@ class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
         layout = self.layout
         scene = getattr(context.scene, names.PROPERTIES)
         mesh = getattr(context.object.data, names.PROPERTIES)
-        layout.label(text="Size from:")
-        layout.prop(mesh, "size_mode", text="")
+        row = layout.split(factor=0.4)
+        row.label(text="Size from")
+        row.prop(mesh, "size_mode", text="")
         longest = max(context.object.dimensions)
         if mesh.size_mode == "SIZE":
             layout.label(text="Longest side, in mm:")
@@ -83,7 +84,6 @@ class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.prop(scene, "stitch_width", text="Width")
         column.prop(scene, "stitch_height", text="Height")
-        layout.label(text="Machine, or its profile:")
         layout.prop(scene, "machine", text="")
         layout.prop(scene, "machine_file", text="")
 
