@@ -84,11 +84,20 @@ class User:
         x = int(self.sidebar.width * fraction)
         for screen in range(screens):
             for y in range(self.sidebar.height - 30, 5, -12):
-                self.move(self.sidebar, x, y)
-                if self.operator_under_mouse().startswith(f"bpy.ops.{call}"):
-                    return x, y
+                if not self._is_button(call, x, y):
+                    continue
+                # Blender may still name the button that the mouse has just left.
+                for near in (y, y + 12, y + 6):
+                    pump(2)
+                    if self._is_button(call, x, near, turns=3):
+                        return x, near
             self.scroll(-40 if screen == 0 else 8)
         raise AssertionError(f"the sidebar shows no button for {call}")
+
+    def _is_button(self, call, x, y, turns=0):
+        self.move(self.sidebar, x, y)
+        pump(turns)
+        return self.operator_under_mouse().startswith(f"bpy.ops.{call}")
 
     def scroll(self, steps):
         """Scrolls the sidebar: down for positive steps."""
