@@ -23,9 +23,9 @@ constexpr double fine_edge = 0.8;
 // Shortest short row: three nodes are 2 l_r long.
 constexpr int fewest_in_short_row = 3;
 
-// Shorter runs than this wait until they are two rows late: a sixth of the row, but at most a
-// dozen stitches, so that wide objects keep their detail.
-int worthwhile_run(int count) { return std::min(count / 6, 12); }
+// Shorter runs than this wait until they are two rows late: a sixth of a narrow row, a dozen
+// stitches of a middling one, a tenth of a wide one.
+int worthwhile_run(int count) { return std::min(count / 6, std::max(12, count / 10)); }
 
 // How far beyond its last node a short row's end reaches, as a fraction of the way to the next
 // node.
