@@ -46,7 +46,7 @@ class MESHKNIT_OT_add_straight_tube(ShapeOperator, bpy.types.Operator):
 
 
 class MESHKNIT_OT_add_cone(ShapeOperator, bpy.types.Operator):
-    """Add an upright cone stub, open at both ends"""
+    """Add an upright truncated cone, open at both ends"""
 
     bl_idname = names.OP_ADD_CONE
     bl_label = "Cone"

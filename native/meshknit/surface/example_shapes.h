@@ -20,7 +20,7 @@ struct ExampleShape {
 /// Upright tube from z = 0 (start) to z = length (end).
 ExampleShape straight_tube(double radius = 30.0, double length = 120.0);
 
-/// Upright cone stub from z = 0 (start) to z = height (end).
+/// Upright truncated cone from z = 0 (start) to z = height (end).
 ExampleShape cone(double start_radius = 45.0, double end_radius = 20.0, double height = 120.0);
 
 /// Two straight legs joined by a circular bend, in the xz plane.

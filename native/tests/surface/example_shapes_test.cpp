@@ -49,8 +49,8 @@ TEST(ExampleShapes, FaceOutwards) {
 TEST(ExampleShapes, HaveTheSizesThatTheyWereAskedFor) {
   // A circle of 40 corners is 0.1 % shorter than a round one.
   EXPECT_NEAR(surface_of(straight_tube(30.0, 120.0)).area, 2.0 * pi * 30.0 * 120.0, 50.0);
-  const Surface stub = surface_of(cone(45.0, 20.0, 120.0));
-  EXPECT_NEAR(stub.area, pi * (45.0 + 20.0) * std::hypot(25.0, 120.0), 60.0);
+  const Surface shape = surface_of(cone(45.0, 20.0, 120.0));
+  EXPECT_NEAR(shape.area, pi * (45.0 + 20.0) * std::hypot(25.0, 120.0), 60.0);
   // Pappus: a bend's area is its circumference times the length of its centre line.
   const double centre_line = 2.0 * 50.0 + 50.0 * pi / 2.0;
   EXPECT_NEAR(surface_of(bent_tube(90.0, 25.0, 50.0)).area, 2.0 * pi * 25.0 * centre_line,
