@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "meshknit/surface/level_walk.h"
 #include "meshknit/surface/triangle_mesh.h"
 
 namespace meshknit {
@@ -66,16 +67,6 @@ struct PeelState {
   }
   double length(int halfedge) const { return edge_length[halfedge >> 1]; }
 };
-
-/// The half edge that a cycle crosses after this one, where `knitted(v)` tells the sides apart.
-template <class Knitted>
-int next_crossing(const TriangleMesh& mesh, int halfedge, const Knitted& knitted) {
-  const auto back = mesh.opposite_halfedge_handle(TriangleMesh::HalfedgeHandle(halfedge));
-  const auto on = mesh.next_halfedge_handle(back);
-  // The triangle right of `halfedge` is (open end, knitted end, third vertex).
-  return knitted(mesh.to_vertex_handle(on).idx()) ? mesh.prev_halfedge_handle(back).idx()
-                                                  : on.idx();
-}
 
 /// Fills `points` and `arc` from `crossings`.
 void measure_cycle(const PeelState& state, Cycle& cycle);

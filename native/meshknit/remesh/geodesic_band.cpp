@@ -36,10 +36,13 @@ bool clip(double at0, double at1, double& begin, double& end) {
 
 }  // namespace
 
-GeodesicBand::GeodesicBand(const PeelState& state)
+GeodesicBand::GeodesicBand(const PeelState& state, const KnitLimits& limits)
     : state_(state),
+      limits_(limits),
       distance_(state.mesh.n_vertices(), infinity),
       foot_(state.mesh.n_vertices(), 0.0),
+      nearest_(state.mesh.n_vertices(), 0),
+      cycle_of_edge_(state.mesh.n_edges(), -1),
       bends_(state.mesh.n_vertices(), 0) {
   std::vector<double> angle(state.mesh.n_vertices(), 0.0);
   for (const auto h : state.mesh.halfedges()) {
@@ -53,14 +56,24 @@ GeodesicBand::GeodesicBand(const PeelState& state)
   }
 }
 
-void GeodesicBand::measure(const Cycle& cycle, double limit) {
+void GeodesicBand::measure(const std::vector<const Cycle*>& cycles, double limit) {
   for (const int v : reached_) distance_[v] = infinity;
+  for (const int e : crossed_) cycle_of_edge_[e] = -1;
   reached_.clear();
+  crossed_.clear();
   windows_.clear();
   heap_.clear();
   limit_ = limit;
-  for (int i = 0; i < cycle.size(); ++i) launch_piece(cycle, i);
-  for (int i = 0; i < cycle.size(); ++i) launch_corner(cycle, i);
+  const int count = static_cast<int>(cycles.size());
+  for (int k = 0; k < count; ++k)
+    for (const EdgeCrossing& c : cycles[k]->crossings) {
+      cycle_of_edge_[c.halfedge >> 1] = k;
+      crossed_.push_back(c.halfedge >> 1);
+    }
+  for (int k = 0; k < count; ++k)
+    for (int i = 0; i < cycles[k]->size(); ++i) launch_piece(*cycles[k], k, i);
+  for (int k = 0; k < count; ++k)
+    for (int i = 0; i < cycles[k]->size(); ++i) launch_corner(*cycles[k], k, i);
   while (!heap_.empty()) {
     const Event next = heap_.front();
     std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
@@ -90,7 +103,8 @@ bool GeodesicBand::open_range(int halfedge, double& begin, double& end) const {
   const double t = state_.crossing[halfedge >> 1];
   begin = from_knitted ? t : 0.0;
   end = to_knitted ? 1.0 - t : 1.0;
-  return !(from_knitted && to_knitted);
+  return (!from_knitted && limits_.may_knit(state_.from(halfedge))) ||
+         (!to_knitted && limits_.may_knit(state_.to(halfedge)));
 }
 
 void GeodesicBand::push(const Event& event) {
@@ -98,15 +112,17 @@ void GeodesicBand::push(const Event& event) {
   std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
 }
 
-void GeodesicBand::improve(int vertex, double distance, double foot) {
+void GeodesicBand::improve(int vertex, double distance, double foot, int cycle) {
   if (state_.knitted[vertex] || distance >= distance_[vertex]) return;
   if (distance_[vertex] == infinity) reached_.push_back(vertex);
   distance_[vertex] = distance;
   foot_[vertex] = foot;
-  if (bends_[vertex] && distance < limit_) push({distance, -1 - vertex});
+  nearest_[vertex] = cycle;
+  if (bends_[vertex] && distance < limit_ && limits_.may_knit(vertex))
+    push({distance, -1 - vertex});
 }
 
-void GeodesicBand::launch_piece(const Cycle& cycle, int piece) {
+void GeodesicBand::launch_piece(const Cycle& cycle, int number, int piece) {
   const int next = (piece + 1) % cycle.size();
   const EdgeCrossing &here = cycle.crossings[piece], &there = cycle.crossings[next];
   const auto back = state_.mesh.opposite_halfedge_handle(HalfedgeHandle(here.halfedge));
@@ -118,8 +134,8 @@ void GeodesicBand::launch_piece(const Cycle& cycle, int piece) {
                                                 : Vector2d(x + there.t * (w - x));
   const int open_end = state_.from(back.idx()), third = state_.to(on.idx());
   for (const auto& [vertex, place] : {std::pair<int, Vector2d>{open_end, w}, {third, x}}) {
-    improve(vertex, (place - a).norm(), cycle.arc[piece]);
-    improve(vertex, (place - b).norm(), cycle.arc[next]);
+    improve(vertex, (place - a).norm(), cycle.arc[piece], number);
+    improve(vertex, (place - b).norm(), cycle.arc[next], number);
   }
   const double length = (b - a).norm();
   if (!(length > 0.0)) return;
@@ -127,16 +143,16 @@ void GeodesicBand::launch_piece(const Cycle& cycle, int piece) {
   for (const auto& [vertex, place] : {std::pair<int, Vector2d>{open_end, w}, {third, x}}) {
     const double beside = (place - a).dot(along);
     if (beside >= 0.0 && beside <= length)
-      improve(vertex, (place - a).dot(ray), cycle.arc[piece] + beside);
+      improve(vertex, (place - a).dot(ray), cycle.arc[piece] + beside, number);
   }
-  const Source source{true, a, ray, 0.0, cycle.arc[piece]};
+  const Source source{true, a, ray, 0.0, cycle.arc[piece], number};
   const Bounds bounds{a, ray, b, ray};
   emit(back.idx(), w, u, &bounds, source);
   emit(on.idx(), u, x, &bounds, source);
   emit(last.idx(), x, w, &bounds, source);
 }
 
-void GeodesicBand::launch_corner(const Cycle& cycle, int corner) {
+void GeodesicBand::launch_corner(const Cycle& cycle, int number, int corner) {
   const int n = cycle.size(), before = (corner + n - 1) % n, after = (corner + 1) % n;
   const HalfedgeHandle h(cycle.crossings[corner].halfedge);
   const auto back = state_.mesh.opposite_halfedge_handle(h);
@@ -157,7 +173,7 @@ void GeodesicBand::launch_corner(const Cycle& cycle, int corner) {
   const Vector2d out = place(cycle.crossings[after], below) - here;
   if (!(in.norm() > 0.0) || !(out.norm() > 0.0) || cross(in, out) >= 0.0) return;
   // The cycle turns right: rays fan out from the corner between the two pieces' own.
-  const Source source{false, here, Vector2d::Zero(), 0.0, cycle.arc[corner]};
+  const Source source{false, here, Vector2d::Zero(), 0.0, cycle.arc[corner], number};
   const Bounds bounds{here, left_of(in), here, left_of(out)};
   const auto up = state_.mesh.next_halfedge_handle(h);
   emit(up.idx(), w, above, &bounds, source);
@@ -169,9 +185,10 @@ void GeodesicBand::launch_corner(const Cycle& cycle, int corner) {
 
 void GeodesicBand::launch_vertex(int vertex) {
   const double before = distance_[vertex], foot = foot_[vertex];
-  const Source source{false, Vector2d::Zero(), Vector2d::Zero(), before, foot};
+  const int cycle = nearest_[vertex];
+  const Source source{false, Vector2d::Zero(), Vector2d::Zero(), before, foot, cycle};
   for (const auto h : state_.mesh.voh_range(TriangleMesh::VertexHandle(vertex))) {
-    improve(state_.to(h.idx()), before + state_.length(h.idx()), foot);
+    improve(state_.to(h.idx()), before + state_.length(h.idx()), foot, cycle);
     if (state_.mesh.is_boundary(h)) continue;
     const Vector2d a(state_.length(h.idx()), 0.0);
     emit(state_.mesh.next_halfedge_handle(h).idx(), a, apex(h.idx()), nullptr, source);
@@ -193,9 +210,9 @@ void GeodesicBand::propagate(const Window& window) {
     const Vector2d offset = c - source.point;
     if (source.strip)
       improve(state_.to(next.idx()), source.before + offset.dot(source.ray),
-              source.foot - cross(source.ray, offset));
+              source.foot - cross(source.ray, offset), source.cycle);
     else
-      improve(state_.to(next.idx()), source.before + offset.norm(), source.foot);
+      improve(state_.to(next.idx()), source.before + offset.norm(), source.foot, source.cycle);
   }
   emit(next.idx(), {l, 0.0}, c, &bounds, source);
   emit(state_.mesh.next_halfedge_handle(next).idx(), c, {0.0, 0.0}, &bounds, source);

@@ -13,20 +13,6 @@ namespace {
 // Part of the time that peeling takes; the rest is relaxation.
 constexpr double share_of_peeling = 0.75;
 
-void require_one_tube(const Surface& surface) {
-  if (surface.boundaries.size() == 2 && surface.genus == 0) return;
-  Problem problem;
-  problem.code = "needs-one-tube";
-  problem.message = "This surface has " + std::to_string(surface.boundaries.size()) +
-                    " boundaries and " + std::to_string(surface.genus) +
-                    " handles; one tube with two boundaries can be knit so far.";
-  problem.remedy =
-      "Close or cut away all boundaries but the two where knitting starts and ends.";
-  for (std::size_t i = 0; i < surface.boundaries.size(); ++i)
-    problem.elements.boundaries.push_back(static_cast<int>(i));
-  throw NotKnittable({problem});
-}
-
 // More than any machine knits: nearly always a wrong unit or gauge. Refused before memory runs out.
 constexpr double most_nodes = 300000.0;
 constexpr double most_in_a_row = 4000.0;
@@ -85,14 +71,13 @@ KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
     throw InvalidInput("remesh: one time per mesh vertex is needed");
   if (!(options.stitch_width > 0.0) || !(options.stitch_height > 0.0))
     throw InvalidInput("remesh: stitch width and height must be positive");
-  require_one_tube(surface);
   require_sensible_size(surface, options);
   require_some_rows(surface, options);
   report(run, 0.0);
   Peeling peeling(surface, time, options);
   while (!peeling.done()) {
     report(run, share_of_peeling * peeling.progress());
-    peeling.peel_row();
+    peeling.step();
   }
   KnitGraph graph = peeling.take_graph([&](double fraction) {
     report(run, share_of_peeling + (1.0 - share_of_peeling) * fraction);

@@ -12,14 +12,18 @@ namespace meshknit {
 struct RemeshOptions {
   double stitch_width = 3.66;   ///< l_r
   double stitch_height = 1.73;  ///< l_c
+  bool relax = true;            ///< move nodes on the surface afterwards (relaxation.h)
 };
 
-/// Surface and knitting time -> knit graph (paper, section 3.2): rows are peeled off at geodesic
-/// distance 2 l_c from the active cycle, cut to short rows by time, linked and trimmed, from the
-/// early to the late boundary; then node positions are relaxed.
-/// Requires: a surface without errors; time per mesh vertex with check_time_field(...) free of errors.
-/// Throws: NotKnittable ("needs-one-tube" for surfaces other than one tube, "too-many-stitches" for
-/// sizes that are nearly always a wrong unit, "too-flat" for less than two rows, and reasons that name the place); InvalidInput; Cancelled.
+/// Surface and knitting time -> knit graph (paper, section 3.2): tube by tube between the saddles
+/// of the field (sweep_plan.h), rows are peeled off at geodesic distance 2 l_c from the active
+/// cycle, cut to short rows by time, linked and trimmed; whole rows step over the saddles
+/// (junction.h); then node positions are relaxed.
+/// Requires: a surface without errors; time per mesh vertex with check_time_field(...) free of
+/// errors.
+/// Throws: NotKnittable ("too-many-stitches" for sizes that are nearly always a wrong unit,
+/// "too-flat" for less than two rows, "splits-here" and "junction-too-tight" for parts too thin for
+/// the gauge, with the place); InvalidInput; Cancelled.
 /// Ensures: check_knit_graph(result) has no errors.
 KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
                  const RemeshOptions& options = {}, RunContext* run = nullptr);

@@ -42,14 +42,15 @@ std::vector<double> images_on_next(const ActiveCycle& active, const NextCycle& n
 }
 
 std::vector<double> sample_next_row(const ActiveCycle& active, const NextCycle& next,
-                                    const std::vector<double>& images, double stitch_width) {
+                                    const std::vector<double>& images, double stitch_width,
+                                    int fewest) {
   constexpr double turn = 6.28318530717958647692;
   std::vector<char> single;
   for (const ActiveNode& node : active.nodes) single.push_back(node.single);
-  const auto [fewest, most] = linkable_counts(single);
+  const auto [least, most] = linkable_counts(single);
   const double length = next.cycle.length();
   const int count = std::clamp(static_cast<int>(std::lround(length / stitch_width)),
-                               std::max(3, fewest), most);
+                               std::min(std::max(fewest, least), most), most);
   const double spacing = length / count;
   double x = 0.0, y = 0.0;
   for (const double image : images) {

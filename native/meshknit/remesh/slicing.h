@@ -12,26 +12,34 @@ namespace meshknit {
 struct NextCycle {
   Cycle cycle;
   std::vector<double> time;  ///< knitting time
-  std::vector<double> foot;  ///< nearest place on the active cycle
+  std::vector<int> source;   ///< which of the active cycles is nearest
+  std::vector<double> foot;  ///< nearest place on it
   std::vector<double>
-      gap;  ///< distance from the active cycle, mm: the level, but at the last boundary
+      gap;  ///< distance from the active cycle, mm: the level, but at the end of the tube
 };
 
 /// Finds level sets in a band. Keeps scratch memory between rows.
 class Slicer {
  public:
-  /// `last` marks vertices that stay open to the end: those of the boundaries where knitting
-  /// ends.
-  Slicer(const PeelState& state, const std::vector<char>& last);
+  Slicer(const PeelState& state, const KnitLimits& limits);
 
-  /// All components of the level set at `level` mm that lie in the measured band, largest
-  /// first.
-  /// Requires: band.measure(active, limit) with a limit of at least the level.
-  std::vector<NextCycle> slice(const GeodesicBand& band, const Cycle& active, double level);
+  /// All components of the border of what lies below `level` mm and may be knit in this step,
+  /// longest first.
+  /// Requires: band.measure(actives, limit) with a limit of at least the level.
+  std::vector<NextCycle> slice(const GeodesicBand& band,
+                               const std::vector<const Cycle*>& actives, double level);
 
  private:
+  std::vector<int> crossed_edges(const GeodesicBand& band, double level) const;
+  void add_crossing(const GeodesicBand& band, const std::vector<const Cycle*>& actives,
+                    double level, int halfedge, NextCycle& next) const;
+  bool below(const GeodesicBand& band, double level, int vertex) const {
+    return state_.knitted[vertex] || limits_.must_knit(vertex) ||
+           (band.distance(vertex) < level && limits_.may_knit(vertex));
+  }
+
   const PeelState& state_;
-  const std::vector<char>& last_;
+  const KnitLimits& limits_;
   std::vector<char> seen_;  // per edge
 };
 

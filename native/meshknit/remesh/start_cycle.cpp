@@ -16,17 +16,6 @@ bool before(const PeelState& state, int a, int b) {
 
 }  // namespace
 
-std::vector<char> mark_boundary(const TriangleMesh& mesh, int vertex) {
-  std::vector<char> marked(mesh.n_vertices(), 0);
-  auto h = mesh.halfedge_handle(TriangleMesh::VertexHandle(vertex));
-  const auto first = h;
-  do {
-    marked[mesh.to_vertex_handle(h).idx()] = 1;
-    h = mesh.next_halfedge_handle(h);
-  } while (h != first);
-  return marked;
-}
-
 Cycle cycle_beside(PeelState& state, const std::vector<char>& boundary) {
   constexpr double at = 0.005;
   const auto knitted = [&](int v) { return boundary[v] != 0; };

@@ -6,9 +6,6 @@
 
 namespace meshknit {
 
-/// Marks the vertices of the boundary that this one lies on.
-std::vector<char> mark_boundary(const TriangleMesh& mesh, int vertex);
-
 /// The cycle just inside a boundary: it crosses the edges that leave the boundary's vertices,
 /// very near to them. Sets `state.crossing` there.
 Cycle cycle_beside(PeelState& state, const std::vector<char>& boundary);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meshknit/core/error.h"
-
 namespace meshknit {
 namespace {
 
@@ -32,11 +30,12 @@ double inside_by(const std::vector<TrimRegion>& regions, double foot, double hei
 
 }  // namespace
 
-Trimmer::Trimmer(PeelState& state, const std::vector<char>& last)
-    : state_(state), last_(last), seen_(state.mesh.n_edges(), 0) {}
+Trimmer::Trimmer(PeelState& state, const KnitLimits& limits)
+    : state_(state), limits_(limits), seen_(state.mesh.n_edges(), 0) {}
 
-Cycle Trimmer::trim(const GeodesicBand& band, const Cycle& active, const Cycle& next,
-                    double level, const std::vector<TrimRegion>& regions) {
+std::optional<Cycle> Trimmer::trim(const GeodesicBand& band, const Cycle& active,
+                                   const Cycle& next, double level,
+                                   const std::vector<TrimRegion>& regions) {
   const double length = active.length();
   const auto depth = [&](int v) {
     return regions.empty() ? length
@@ -44,17 +43,21 @@ Cycle Trimmer::trim(const GeodesicBand& band, const Cycle& active, const Cycle& 
   };
   std::vector<int> knitted_now;
   for (const int v : band.reached())
-    if (!last_[v] && band.distance(v) < level && depth(v) > 0.0) knitted_now.push_back(v);
-  for (const int v : knitted_now) state_.knitted[v] = 1;
-  newly_knitted_ = static_cast<int>(knitted_now.size());
-  const auto now = [&](int v) {
-    return std::binary_search(knitted_now.begin(), knitted_now.end(), v);
+    if (limits_.may_knit(v) && band.distance(v) < level && depth(v) > 0.0)
+      knitted_now.push_back(v);
+  std::vector<std::pair<int, double>> old_crossings;
+  const auto cross_at = [&](int edge, double t) {
+    old_crossings.push_back({edge, state_.crossing[edge]});
+    state_.crossing[edge] = t;
   };
+  for (const int v : knitted_now) state_.knitted[v] = 1;
+  const std::vector<int> all_now = knitted_now;
+  const auto now = [&](int v) { return std::binary_search(all_now.begin(), all_now.end(), v); };
 
   for (const EdgeCrossing& c : next.crossings)
-    if (regions.empty() || now(state_.from(c.halfedge))) state_.crossing[c.halfedge >> 1] = c.t;
+    if (regions.empty() || now(state_.from(c.halfedge))) cross_at(c.halfedge >> 1, c.t);
   if (!regions.empty()) {
-    for (const int u : knitted_now)
+    for (const int u : all_now)
       for (const auto h : state_.mesh.voh_range(TriangleMesh::VertexHandle(u))) {
         const int w = state_.to(h.idx());
         if (state_.knitted[w] || !std::isfinite(band.distance(w))) continue;
@@ -62,32 +65,35 @@ Cycle Trimmer::trim(const GeodesicBand& band, const Cycle& active, const Cycle& 
         if (d_w >= 0.0) continue;
         const double wall =
             std::clamp(d_u / (d_u - d_w), clear_of_vertices, 1.0 - clear_of_vertices);
-        const bool beyond = last_[w] || band.distance(w) >= level;
-        double& t = state_.crossing[h.idx() >> 1];
-        t = beyond ? std::min(t, wall) : wall;
+        const bool beyond = !limits_.may_knit(w) || band.distance(w) >= level;
+        const double t = state_.crossing[h.idx() >> 1];
+        cross_at(h.idx() >> 1, beyond ? std::min(t, wall) : wall);
       }
   }
 
-  for (int attempt = 0;; ++attempt) {
+  for (int attempt = 0; attempt < 10; ++attempt) {
     std::vector<Cycle> cycles = walk(front_edges(active, knitted_now));
-    if (cycles.empty()) throw BrokenPromise("trimming lost the active cycle");
-    const auto longest = std::max_element(
-        cycles.begin(), cycles.end(),
-        [](const Cycle& a, const Cycle& b) { return a.length() < b.length(); });
-    if (cycles.size() == 1) return std::move(*longest);
-    bool mended = attempt < 10;
-    for (auto island = cycles.begin(); mended && island != cycles.end(); ++island)
-      if (island != longest)
-        mended = close_pocket(*island) || reopen_island(*island, knitted_now);
-    if (!mended)
-      throw NotKnittable(
-          {{"splits-here",
-            Severity::error,
-            "Knitting would split here: the rows meet round a part of the surface that "
-            "stands out too far to be reached row by row.",
-            "Place time constraints so that the rows pass over this part, or smooth it.",
-            {}}});
+    if (cycles.empty()) break;
+    if (cycles.size() == 1) {
+      newly_knitted_ = static_cast<int>(
+          std::count_if(knitted_now.begin(), knitted_now.end(),
+                        [&](int v) { return state_.knitted[v] != 0; }));
+      return std::move(cycles.front());
+    }
+    // The way on to the end of the tube is no pocket, whatever its length.
+    std::stable_sort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
+      return a.length() < b.length();
+    });
+    bool mended = false;
+    for (const Cycle& island : cycles)
+      mended = close_pocket(island, knitted_now) || reopen_island(island, all_now) || mended;
+    if (!mended) break;
   }
+  for (const int v : knitted_now) state_.knitted[v] = 0;
+  for (auto old = old_crossings.rbegin(); old != old_crossings.rend(); ++old)
+    state_.crossing[old->first] = old->second;
+  newly_knitted_ = 0;
+  return std::nullopt;
 }
 
 std::vector<int> Trimmer::front_edges(const Cycle& active,
@@ -122,15 +128,14 @@ std::vector<Cycle> Trimmer::walk(const std::vector<int>& crossed) {
   return cycles;
 }
 
-// Knits over the open vertices inside an island, if they are few and none is at the last
-// boundary.
-bool Trimmer::close_pocket(const Cycle& island) {
+// Knits over the open vertices inside an island, if they are few and all of this tube.
+bool Trimmer::close_pocket(const Cycle& island, std::vector<int>& knitted_now) {
   std::vector<int> pocket{state_.to(island.crossings.front().halfedge)};
   if (state_.knitted[pocket[0]]) return true;  // closed already
   bool small = true;
   state_.knitted[pocket[0]] = 1;
   for (std::size_t i = 0; small && i < pocket.size(); ++i) {
-    small = pocket.size() <= largest_pocket && !last_[pocket[i]];
+    small = pocket.size() <= largest_pocket && limits_.may_knit(pocket[i]);
     for (const auto h : state_.mesh.voh_range(TriangleMesh::VertexHandle(pocket[i]))) {
       const int w = state_.to(h.idx());
       if (state_.knitted[w]) continue;
@@ -138,16 +143,17 @@ bool Trimmer::close_pocket(const Cycle& island) {
       pocket.push_back(w);
     }
   }
-  if (small) newly_knitted_ += static_cast<int>(pocket.size());
-  if (!small)
+  if (small)
+    knitted_now.insert(knitted_now.end(), pocket.begin(), pocket.end());
+  else
     for (const int v : pocket) state_.knitted[v] = 0;
   return small;
 }
 
 // Opens again what was knitted in this row without touching what was knitted before.
-bool Trimmer::reopen_island(const Cycle& island, const std::vector<int>& knitted_now) {
+bool Trimmer::reopen_island(const Cycle& island, const std::vector<int>& all_now) {
   const auto now = [&](int v) {
-    return std::binary_search(knitted_now.begin(), knitted_now.end(), v);
+    return std::binary_search(all_now.begin(), all_now.end(), v);
   };
   std::vector<int> blob{state_.from(island.crossings.front().halfedge)};
   if (!now(blob[0])) return false;
@@ -163,7 +169,6 @@ bool Trimmer::reopen_island(const Cycle& island, const std::vector<int>& knitted
       state_.knitted[w] = 0;
       blob.push_back(w);
     }
-  newly_knitted_ -= static_cast<int>(blob.size());
   return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "meshknit/remesh/front.h"
@@ -18,13 +19,13 @@ struct TrimRegion {
 /// active cycle (paper, 3.2.4) by labels: the mesh is not cut.
 class Trimmer {
  public:
-  Trimmer(PeelState& state, const std::vector<char>& last);
+  Trimmer(PeelState& state, const KnitLimits& limits);
 
   /// `regions` empty: the whole band up to `level`, whose level set is `next`. Pockets that a
-  /// row closes off are knitted over if they are smaller than a few stitches.
-  /// Throws: NotKnittable "splits-here" if what is left open falls apart.
-  Cycle trim(const GeodesicBand& band, const Cycle& active, const Cycle& next, double level,
-             const std::vector<TrimRegion>& regions);
+  /// row closes off are knitted over if they are smaller than a few stitches. No cycle if what is
+  /// left open falls apart; then nothing has changed.
+  std::optional<Cycle> trim(const GeodesicBand& band, const Cycle& active, const Cycle& next,
+                            double level, const std::vector<TrimRegion>& regions);
 
   /// Vertices that the last trim() knitted.
   int newly_knitted() const { return newly_knitted_; }
@@ -32,11 +33,11 @@ class Trimmer {
  private:
   std::vector<int> front_edges(const Cycle& active, const std::vector<int>& knitted_now);
   std::vector<Cycle> walk(const std::vector<int>& crossed);
-  bool close_pocket(const Cycle& island);
-  bool reopen_island(const Cycle& island, const std::vector<int>& knitted_now);
+  bool close_pocket(const Cycle& island, std::vector<int>& knitted_now);
+  bool reopen_island(const Cycle& island, const std::vector<int>& all_now);
 
   PeelState& state_;
-  const std::vector<char>& last_;
+  const KnitLimits& limits_;
   std::vector<char> seen_;  // per edge
   int newly_knitted_ = 0;
 };

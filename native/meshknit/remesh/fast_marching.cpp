@@ -1,9 +1,9 @@
-#include "meshknit/remesh/distance_to_end.h"
+#include "meshknit/remesh/fast_marching.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
+
 #include <queue>
 #include <utility>
 
@@ -33,20 +33,18 @@ double through_triangle(double d_a, double d_b, const Eigen::Vector3d& to_a,
 
 }  // namespace
 
-std::vector<double> distance_to(const PeelState& state, const std::vector<char>& marked,
-                                double limit) {
+void march(const PeelState& state, const std::vector<MarchSeed>& seeds, double limit,
+           const std::function<bool(int)>& passable, std::vector<double>& distance) {
   const TriangleMesh& mesh = state.mesh;
-  std::vector<double> distance(mesh.n_vertices(), std::numeric_limits<double>::infinity());
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>,
                       std::greater<>>
       queue;
   const auto offer = [&](int v, double d) {
-    if (d >= distance[v] || d > limit) return;
+    if (d >= distance[v] || d > limit || !passable(v)) return;
     distance[v] = d;
     queue.push({d, v});
   };
-  for (std::size_t v = 0; v < marked.size(); ++v)
-    if (marked[v]) offer(static_cast<int>(v), 0.0);
+  for (const MarchSeed& seed : seeds) offer(seed.vertex, seed.distance);
   while (!queue.empty()) {
     const auto [d, v] = queue.top();
     queue.pop();
@@ -57,12 +55,12 @@ std::vector<double> distance_to(const PeelState& state, const std::vector<char>&
       if (mesh.is_boundary(h)) continue;
       const int third = state.to(mesh.next_halfedge_handle(h).idx());
       for (const auto& [known, other] : {std::pair<int, int>{w, third}, {third, w}})
-        if (std::isfinite(distance[known]))
-          offer(other, through_triangle(d, distance[known], state.point(v) - state.point(other),
-                                        state.point(known) - state.point(other)));
+        if (std::isfinite(distance[known]) && passable(known))
+          offer(other,
+                through_triangle(d, distance[known], state.point(v) - state.point(other),
+                                 state.point(known) - state.point(other)));
     }
   }
-  return distance;
 }
 
 }  // namespace meshknit

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "meshknit/remesh/front.h"
+
+namespace meshknit {
+
+/// A vertex whose distance is known to begin with.
+struct MarchSeed {
+  int vertex = -1;
+  double distance = 0.0;  ///< mm
+};
+
+/// Distance of every vertex from the seeds, out to `limit` mm, infinite beyond and where `passable`
+/// says no. Fast marching (Kimmel and Sethian 1998): near enough for counting the rows that are
+/// left, and linear in the strip where exact windows would multiply. `distance` holds one number a
+/// vertex, infinite where nothing is known yet; smaller numbers in it are kept.
+void march(const PeelState& state, const std::vector<MarchSeed>& seeds, double limit,
+           const std::function<bool(int)>& passable, std::vector<double>& distance);
+
+}  // namespace meshknit

@@ -1,0 +1,306 @@
+#include "meshknit/remesh/tube_peeling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <cstdio>
+#include <cstdlib>
+
+#include "meshknit/core/error.h"
+#include "meshknit/remesh/sampling.h"
+#include "meshknit/surface/wording.h"
+
+namespace meshknit {
+namespace {
+
+// Shortest short row: three nodes are 2 l_r long.
+constexpr int fewest_in_short_row = 3;
+
+// Shorter runs than this wait until they are two rows late: a sixth of a narrow row, a dozen
+// stitches of a middling one, a tenth of a wide one.
+int worthwhile_run(int count) { return std::min(count / 6, std::max(12, count / 10)); }
+
+// How far beyond its last node a short row's end reaches, as a fraction of the way to the next
+// node.
+constexpr double beyond_end = 0.1;
+
+std::vector<double> times_of(const PeelState& state, const Cycle& cycle) {
+  std::vector<double> times;
+  for (const EdgeCrossing& c : cycle.crossings) {
+    const double u = state.time[state.from(c.halfedge)], w = state.time[state.to(c.halfedge)];
+    times.push_back(u + c.t * (w - u));
+  }
+  return times;
+}
+
+int partner_of(const std::vector<Link>& links, int next) {
+  for (const Link& link : links)
+    if (link[1] == next) return link[0];
+  throw BrokenPromise("a node of the next row has no column");
+}
+
+}  // namespace
+
+TubePeeling::TubePeeling(Peel& peel, int arc, ActiveCycle active, int fewest)
+    : peel_(peel), arc_(arc), active_(std::move(active)), fewest_(fewest) {}
+
+void TubePeeling::resume() {
+  peel_.limits.close_all();
+  peel_.limits.open(arc_);
+}
+
+bool TubePeeling::peel_row() {
+  const RestOfTube rest =
+      rest_of_tube(peel_.state, peel_.plan, arc_, active_.cycle, peel_.row_height);
+  if (getenv("DBG")) printf("arc %d nodes %zu cyc %d len %.1f least %.2f mean %.2f most %.2f rows %d h %.2f whole %d\n",arc_,active_.nodes.size(),active_.cycle.size(),active_.cycle.length(),rest.least,rest.mean,rest.most,rest.rows,rest.height,whole_);
+  if (whole_ && rest.mean < 0.5 * peel_.row_height && rest.most < peel_.row_height) return false;
+  const bool last = rest.near && rest.rows == 1;
+  if (rest.near && even_out(rest)) return true;
+  if (last) {
+    knit_last(rest);
+    return true;
+  }
+  Candidate c = candidate(rest.height, 1.2 * rest.height);
+  if (!rest.near) {
+    c.row.runs = accept(c, worthwhile_run(static_cast<int>(c.row.place.size())));
+    if (!c.row.runs.empty() && knit_runs(c, c.row.runs)) return true;
+  }
+  c.row.runs.clear();
+  if (knit(c) || knit_into_pocket(c)) return true;
+
+  const int vertex = peel_.state.to(c.next.cycle.crossings.front().halfedge);
+  Problem problem;
+  problem.code = "splits-here";
+  problem.message = "Near " + place_text(peel_.state.point(vertex)) +
+                    " the rows would close round a part that stands out and is too thin for its "
+                    "length: at this gauge no row can reach its tip.";
+  problem.remedy =
+      "Make an opening at the tip of this part, place times so that rows pass over it, make it "
+      "wider or shorter, or take finer stitches.";
+  problem.elements.faces = peel_.faces_near(vertex);
+  throw NotKnittable({problem});
+}
+
+TubePeeling::Candidate TubePeeling::candidate(double level, double limit) {
+  peel_.band.measure({&active_.cycle}, limit);
+  std::vector<NextCycle> cycles = peel_.slicer.slice(peel_.band, {&active_.cycle}, level);
+  if (cycles.empty()) throw BrokenPromise("slicing found no next cycle");
+  Candidate c;
+  c.level = level;
+  c.next = std::move(cycles.front());
+  c.images = images_on_next(active_, c.next);
+  c.row.place =
+      sample_next_row(active_, c.next, c.images, peel_.options.stitch_width, fewest_);
+  for (const double place : c.row.place)
+    c.row.time.push_back(c.next.cycle.value(c.next.cycle.at(place), c.next.time));
+  return c;
+}
+
+void TubePeeling::knit_last(const RestOfTube& rest) {
+  Candidate c = candidate(std::numeric_limits<double>::infinity(),
+                          rest.most + 2.0 * peel_.row_height);
+  link(c);
+  if (c.row.links.empty()) throw BrokenPromise("linking found no columns between two rows");
+  for (const EdgeCrossing& crossing : c.next.cycle.crossings)
+    peel_.state.crossing[crossing.halfedge >> 1] = crossing.t;
+  for (const int v : peel_.plan.vertices_of_arc[arc_]) {
+    peel_.knitted += !peel_.state.knitted[v];
+    peel_.state.knitted[v] = 1;
+  }
+  add(c, c.next.cycle);
+}
+
+bool TubePeeling::knit(Candidate c) {
+  const bool short_rows = !c.row.runs.empty();
+  keep_turns_apart(c);
+  if (short_rows && c.row.runs.empty()) return false;
+  std::optional<Cycle> cycle =
+      peel_.trimmer.trim(peel_.band, active_.cycle, c.next.cycle, c.level, regions(c));
+  if (!cycle || (!c.row.runs.empty() && peel_.trimmer.newly_knitted() == 0)) return false;
+  peel_.knitted += peel_.trimmer.newly_knitted();
+  add(c, std::move(*cycle));
+  return true;
+}
+
+bool TubePeeling::knit_runs(const Candidate& c, std::vector<NodeRun> runs) {
+  Candidate some = c;
+  some.row.runs = std::move(runs);
+  return knit(std::move(some));
+}
+
+bool TubePeeling::knit_into_pocket(const Candidate& c) {
+  // What closes the part off lies later than the part itself.
+  std::vector<double> times = c.row.time;
+  std::sort(times.begin(), times.end());
+  const std::vector<double> gains(c.row.time.size(), 0.0);
+  for (const double part : {0.9, 0.75, 0.6, 0.45, 0.3, 0.15}) {
+    const double latest = times[static_cast<std::size_t>(part * (times.size() - 1))];
+    std::vector<NodeRun> runs = accept_by_time(c.row.time, gains, latest, fewest_in_short_row,
+                                               fewest_in_short_row);
+    if (!runs.empty() && knit_runs(c, std::move(runs))) return true;
+  }
+  return false;
+}
+
+double TubePeeling::foot_of(const NextCycle& next, double place) const {
+  const CyclePoint p = next.cycle.at(place);
+  const double a = next.foot[p.piece], b = next.foot[(p.piece + 1) % next.cycle.size()];
+  return a + p.along * around(a, b, active_.cycle.length());
+}
+
+std::vector<NodeRun> TubePeeling::accept(const Candidate& c, int worthwhile) const {
+  const Cycle& active = active_.cycle;
+  const std::vector<double> active_times = times_of(peel_.state, active);
+  std::vector<double> gains;
+  for (std::size_t j = 0; j < c.row.place.size(); ++j) {
+    const CyclePoint below = active.at(foot_of(c.next, c.row.place[j]));
+    gains.push_back(c.row.time[j] - active.value(below, active_times));
+  }
+  return accept_by_time(c.row.time, gains,
+                        *std::max_element(active_times.begin(), active_times.end()),
+                        fewest_in_short_row, worthwhile);
+}
+
+bool TubePeeling::even_out(const RestOfTube& rest) {
+  const double height = peel_.row_height, enough = (rest.rows + 0.5) * height;
+  if (rest.most < enough) return false;
+  const Candidate c = candidate(height, 1.2 * height);
+  std::vector<double> lateness;
+  for (const double place : c.row.place) {
+    const CyclePoint below = active_.cycle.at(foot_of(c.next, place));
+    lateness.push_back(enough - active_.cycle.value(below, rest.at_crossing));
+  }
+  const std::vector<double> gains(lateness.size(), height);
+  std::vector<NodeRun> runs =
+      accept_by_time(lateness, gains, 0.0, fewest_in_short_row, fewest_in_short_row);
+  return !runs.empty() && knit_runs(c, std::move(runs));
+}
+
+void TubePeeling::link(Candidate& c) const {
+  NextRow& row = c.row;
+  const int count = static_cast<int>(row.place.size());
+  row.single.assign(count, 0);
+  for (const NodeRun& run : row.runs) row.single[run.first] = row.single[run.last] = 1;
+  LinkProblem problem;
+  for (const ActiveNode& node : active_.nodes) {
+    problem.active.push_back(node.place);
+    problem.active_single.push_back(node.single);
+    problem.active_shaped.push_back(node.shaped);
+  }
+  problem.image = c.images;
+  problem.active_length = active_.cycle.length();
+  problem.next = row.place;
+  for (const double place : row.place) {
+    problem.foot.push_back(foot_of(c.next, place));
+    problem.gap.push_back(c.next.cycle.value(c.next.cycle.at(place), c.next.gap));
+  }
+  problem.next_single = row.single;
+  problem.next_length = c.next.cycle.length();
+  problem.row_height = peel_.row_height;
+  row.links = link_rows(problem);
+}
+
+// Links the row. A short row must not end right above the end of another: the tucks of both
+// turns would pile up on one needle. Runs are shortened until none does.
+void TubePeeling::keep_turns_apart(Candidate& c) const {
+  NextRow& row = c.row;
+  const int count = static_cast<int>(row.place.size());
+  for (;;) {
+    link(c);
+    if (row.links.empty()) {
+      if (row.runs.empty()) throw BrokenPromise("linking found no columns between two rows");
+      row.runs.clear();
+      continue;
+    }
+    bool changed = false;
+    std::vector<NodeRun> runs;
+    for (NodeRun run : row.runs) {
+      const int size = run.size(count);
+      const bool first_on_end = active_.nodes[partner_of(row.links, run.first)].row_end;
+      const bool last_on_end = active_.nodes[partner_of(row.links, run.last)].row_end;
+      changed = changed || first_on_end || last_on_end;
+      if (size - first_on_end - last_on_end < fewest_in_short_row) continue;
+      if (first_on_end) run.first = (run.first + 1) % count;
+      if (last_on_end) run.last = (run.last + count - 1) % count;
+      runs.push_back(run);
+    }
+    if (!changed) return;
+    row.runs = runs;
+  }
+}
+
+std::vector<TrimRegion> TubePeeling::regions(const Candidate& c) const {
+  const NextRow& row = c.row;
+  const int count = static_cast<int>(row.place.size());
+  const int active_count = static_cast<int>(active_.nodes.size());
+  const double length = active_.cycle.length(), spacing = c.next.cycle.length() / count;
+  const auto foot_at = [&](double place) {
+    return forward(0.0, foot_of(c.next, place), length);
+  };
+  std::vector<TrimRegion> regions;
+  for (const NodeRun& run : row.runs) {
+    const int a = partner_of(row.links, run.first), b = partner_of(row.links, run.last);
+    const double before = active_.nodes[(a + active_count - 1) % active_count].place;
+    const double after = active_.nodes[(b + 1) % active_count].place;
+    TrimRegion region;
+    region.begin_below = before + beyond_end * forward(before, active_.nodes[a].place, length);
+    region.begin_above = foot_at(row.place[run.first] - beyond_end * spacing);
+    region.end_below = after - beyond_end * forward(active_.nodes[b].place, after, length);
+    region.end_above = foot_at(row.place[run.last] + beyond_end * spacing);
+    regions.push_back(region);
+  }
+  return regions;
+}
+
+// Adds the row to the graph and makes it, or what it covers, the active cycle.
+void TubePeeling::add(const Candidate& c, Cycle cycle) {
+  const NextRow& row = c.row;
+  const int count = static_cast<int>(row.place.size());
+  const int below_count = static_cast<int>(active_.nodes.size());
+  const std::vector<int> node_of = peel_.builder.add_rows(c.next, row);
+  std::vector<int> up(below_count, 0), down(count, 0);
+  for (const Link& l : row.links) {
+    if (node_of[l[1]] >= 0) peel_.builder.add_column(active_.nodes[l[0]].node, node_of[l[1]]);
+    ++up[l[0]];
+    ++down[l[1]];
+  }
+  std::vector<char> child_of_increase(row.place.size(), 0);
+  for (const Link& l : row.links) child_of_increase[l[1]] |= up[l[0]] > 1;
+  const auto above = [&](int j) {
+    ActiveNode node = active_node(c.next, row.place[j], node_of[j]);
+    node.shaped = down[j] > 1 || child_of_increase[j];
+    node.single = node.row_end = row.single[j];
+    return node;
+  };
+
+  std::vector<ActiveNode> nodes;
+  whole_ = row.runs.empty();
+  if (whole_) {
+    for (int j = 0; j < count; ++j) nodes.push_back(above(j));
+  } else {
+    std::vector<int> run_at(below_count, -1);  // run that begins over this active node
+    std::vector<char> covered(active_.nodes.size(), 0);
+    for (std::size_t r = 0; r < row.runs.size(); ++r) {
+      const int a = partner_of(row.links, row.runs[r].first);
+      const int b = partner_of(row.links, row.runs[r].last);
+      run_at[a] = static_cast<int>(r);
+      for (int i = a;; i = (i + 1) % below_count) {
+        covered[i] = 1;
+        if (i == b) break;
+      }
+      active_.nodes[(a + below_count - 1) % below_count].single = true;
+      active_.nodes[(b + 1) % below_count].single = true;
+    }
+    for (int i = 0; i < below_count; ++i) {
+      if (!covered[i]) nodes.push_back(active_.nodes[i]);
+      if (run_at[i] < 0) continue;
+      const NodeRun& run = row.runs[run_at[i]];
+      for (int k = 0; k < run.size(count); ++k) nodes.push_back(above((run.first + k) % count));
+    }
+  }
+  active_.nodes = std::move(nodes);
+  active_.cycle = std::move(cycle);
+  place_nodes(active_, peel_.piece_of_edge);
+}
+
+}  // namespace meshknit

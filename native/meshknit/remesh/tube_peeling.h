@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "meshknit/remesh/peel.h"
+#include "meshknit/remesh/tube_end.h"
+
+namespace meshknit {
+
+/// The incremental construction of the paper's section 3.2 on one tube: slice, sample, accept,
+/// link, trim, one row at a time, from its first cycle to its end.
+class TubePeeling {
+ public:
+  /// `active`: the first row of the tube, all of it. `fewest`: least nodes of its closed rows.
+  TubePeeling(Peel& peel, int arc, ActiveCycle active, int fewest);
+
+  /// Limits knitting to this tube; call before its first row.
+  void resume();
+  /// Peels a row. Returns false when the tube has come to its end: then active() is its last row.
+  /// Throws: NotKnittable "splits-here".
+  bool peel_row();
+  int arc() const { return arc_; }
+  ActiveCycle take_active() { return std::move(active_); }
+
+ private:
+  struct Candidate {
+    NextCycle next;
+    std::vector<double> images;
+    NextRow row;
+    double level = 0.0;
+  };
+
+  Candidate candidate(double level, double limit);
+  std::vector<NodeRun> accept(const Candidate& c, int worthwhile) const;
+  /// Near the end: a short row where the end is further away than elsewhere, if any is worth it.
+  bool even_out(const RestOfTube& rest);
+  /// Links, trims and adds the row; false if its runs cannot be knit.
+  bool knit(Candidate c);
+  bool knit_runs(const Candidate& c, std::vector<NodeRun> runs);
+  /// Where a whole row would close off a part that is still to be knit: short rows into that part.
+  bool knit_into_pocket(const Candidate& c);
+  void knit_last(const RestOfTube& rest);
+
+  double foot_of(const NextCycle& next, double place) const;
+  void link(Candidate& c) const;
+  void keep_turns_apart(Candidate& c) const;
+  std::vector<TrimRegion> regions(const Candidate& c) const;
+  void add(const Candidate& c, Cycle cycle);
+
+  Peel& peel_;
+  int arc_;
+  ActiveCycle active_;
+  int fewest_;
+  bool whole_ = true;  // the active cycle is one closed row
+};
+
+}  // namespace meshknit
