@@ -160,10 +160,8 @@ def test_cancelling_before_and_during_leaves_the_session_alone():
     def work(run_context):
         started.set()
         sock = library.sock()
-        return run(
-            model_of(sock["vertices"], sock["faces"], ((-1.0, sock["start"]), (1.0, sock["end"]))),
-            context=run_context,
-        )
+        times = [(mark["time"], mark["boundary_near"]) for mark in sock["times"]]
+        return run(model_of(sock["vertices"], sock["faces"], times), context=run_context)
 
     job = Job(work, library.RunContext())
     started.wait()

@@ -47,8 +47,24 @@ py::dict shape_to_python(const ExampleShape& shape) {
   py::dict result;
   result["vertices"] = shape.vertices;
   result["faces"] = shape.faces;
-  result["start"] = shape.start;
-  result["end"] = shape.end;
+  py::list times, openings;
+  for (const TimeMark& mark : shape.times) {
+    py::dict entry;
+    entry["time"] = mark.time;
+    if (mark.opening >= 0)
+      entry["opening"] = mark.opening;
+    else
+      entry["boundary_near"] = mark.boundary_near;
+    times.append(entry);
+  }
+  for (const OpeningMark& opening : shape.openings) {
+    py::dict entry;
+    entry["at"] = opening.at;
+    entry["radius"] = opening.radius;
+    openings.append(entry);
+  }
+  result["times"] = times;
+  result["openings"] = openings;
   return result;
 }
 
@@ -153,8 +169,8 @@ void bind_surface(py::module_& m) {
       "example_shape",
       [](const std::string& name) { return shape_to_python(example_shape(name)); },
       py::arg("name"),
-      "An example shape with its default sizes: vertices (mm), faces, a point near its start "
-      "and its end.");
+      "An example shape with its default sizes: vertices (mm), faces, and what a marks file "
+      "says: times and openings.");
   m.def(
       "straight_tube",
       [](double radius, double length) {

@@ -21,11 +21,16 @@ double smooth_step(double x) {
   return x * x * (3.0 - 2.0 * x);
 }
 
+// The marks of a tube whose vertices go from its start to its end.
+std::vector<TimeMark> first_and_last(const VertexArray& vertices) {
+  return {{-1.0, vertices.row(0).transpose()},
+          {1.0, vertices.row(vertices.rows() - 1).transpose()}};
+}
+
 // An upright tube as an example: it starts at z = 0.
 ExampleShape upright(const TubeShape& tube_shape) {
   const MeshArrays arrays = tube(tube_shape);
-  return {arrays.vertices, arrays.faces, arrays.vertices.row(0).transpose(),
-          arrays.vertices.row(arrays.vertices.rows() - 1).transpose()};
+  return {arrays.vertices, arrays.faces, first_and_last(arrays.vertices), {}};
 }
 
 ExampleShape bottle() {
@@ -46,7 +51,7 @@ ExampleShape tilted_cut() {
   ExampleShape shape = upright({40, 24, middle, [](double) { return radius; }});
   for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v)
     shape.vertices(v, 2) *= 1.0 + slope * shape.vertices(v, 0) / middle;
-  shape.end = shape.vertices.row(shape.vertices.rows() - 1).transpose();
+  shape.times = first_and_last(shape.vertices);
   return shape;
 }
 
@@ -83,8 +88,7 @@ ExampleShape wobbly_tube() {
     shape.vertices.row(v) << radius * shape.vertices(v, 0) + 12.0 * aside(u),
         radius * shape.vertices(v, 1) + 12.0 * ahead(u), z;
   }
-  shape.start = shape.vertices.row(0).transpose();
-  shape.end = shape.vertices.row(shape.vertices.rows() - 1).transpose();
+  shape.times = first_and_last(shape.vertices);
   return shape;
 }
 
@@ -110,7 +114,9 @@ const std::vector<NamedShape>& more_shapes() {
 }  // namespace
 
 std::vector<std::string> shape_names() {
-  std::vector<std::string> names = example_shape_names();
+  std::vector<std::string> names;
+  for (const std::string& name : example_shape_names())
+    if (example_shape(name).times.size() == 2) names.push_back(name);
   for (const NamedShape& shape : more_shapes()) names.push_back(shape.name);
   return names;
 }
@@ -119,22 +125,24 @@ ExampleShape arrays_of_shape(const std::string& name, double size) {
   const auto found = std::find_if(more_shapes().begin(), more_shapes().end(),
                                   [&](const NamedShape& shape) { return shape.name == name; });
   ExampleShape shape = found == more_shapes().end() ? example_shape(name) : found->make();
-  shape.vertices *= size;
-  shape.start *= size;
-  shape.end *= size;
-  return shape;
+  return scaled(std::move(shape), size);
+}
+
+std::vector<TimeConstraint> time_constraints(const Surface& surface,
+                                             const ExampleShape& shape) {
+  std::vector<TimeConstraint> constraints;
+  for (const TimeMark& mark : shape.times)
+    constraints.push_back(
+        {surface.boundaries[nearest_boundary(surface, mark.boundary_near)].vertices,
+         mark.time});
+  return constraints;
 }
 
 TimedShape timed(const ExampleShape& shape) {
   TimedShape result;
   result.surface = make_surface(shape.vertices, shape.faces);
   if (has_errors(result.surface.problems)) throw NotKnittable(result.surface.problems);
-  const auto boundary = [&](const Eigen::Vector3d& near) {
-    return result.surface.boundaries[nearest_boundary(result.surface, near)].vertices;
-  };
-  result.time = solve_time_field(result.surface,
-                                 {{boundary(shape.start), -1.0}, {boundary(shape.end), 1.0}})
-                    .time;
+  result.time = solve_time_field(result.surface, time_constraints(result.surface, shape)).time;
   return result;
 }
 

@@ -5,13 +5,14 @@
 
 #include "meshknit/surface/example_shapes.h"
 #include "meshknit/surface/surface.h"
+#include "meshknit/time_field/time_field.h"
 
 namespace meshknit {
 
-/// A shape of the tests with its solved time field: -1 at the start, 1 at the end.
+/// A shape of the tests with its solved time field.
 struct TimedShape {
   Surface surface;
-  std::vector<double> time;
+  std::vector<double> time;  ///< per mesh vertex
 };
 
 /// The shapes that every stage must cope with, all tubes: those of example_shapes.h and
@@ -30,6 +31,9 @@ inline constexpr double shape_sizes[] = {0.5, 1.0, 2.0};
 /// The vertices of a named shape, `size` times as large as drawn. Throws: InvalidInput for an
 /// unknown name.
 ExampleShape arrays_of_shape(const std::string& name, double size = 1.0);
+
+/// What a shape's marks say about its surface. Requires: a shape without openings.
+std::vector<TimeConstraint> time_constraints(const Surface& surface, const ExampleShape& shape);
 
 /// Surface and time field. Throws: NotKnittable if it has none.
 TimedShape timed(const ExampleShape& shape);

@@ -80,14 +80,53 @@ class MESHKNIT_OT_add_bent_tube(ShapeOperator, bpy.types.Operator):
         return library.bent_tube(min(math.degrees(self.angle), 150.0), self.radius, self.leg)
 
 
-class MESHKNIT_OT_add_sock(ShapeOperator, bpy.types.Operator):
+class ExampleOperator(ShapeOperator):
+    """Mixin for shapes of one size. Their operators are called after the library's names."""
+
+    def make(self, library):
+        return library.example_shape(self.bl_idname.rpartition("add_")[2])
+
+
+class MESHKNIT_OT_add_sock(ExampleOperator, bpy.types.Operator):
     """Add a sock with a heel, open at cuff and toe"""
 
     bl_idname = names.OP_ADD_SOCK
     bl_label = "Sock"
 
-    def make(self, library):
-        return library.sock()
+
+class MESHKNIT_OT_add_trousers(ExampleOperator, bpy.types.Operator):
+    """Add trousers, knit from the waist down: one tube that splits into two legs"""
+
+    bl_idname = names.OP_ADD_TROUSERS
+    bl_label = "Trousers"
+
+
+class MESHKNIT_OT_add_two_way_split(ExampleOperator, bpy.types.Operator):
+    """Add a tube that splits into two"""
+
+    bl_idname = names.OP_ADD_TWO_WAY_SPLIT
+    bl_label = "Two-Way Split"
+
+
+class MESHKNIT_OT_add_three_way_split(ExampleOperator, bpy.types.Operator):
+    """Add a tube that splits into three side by side"""
+
+    bl_idname = names.OP_ADD_THREE_WAY_SPLIT
+    bl_label = "Three-Way Split"
+
+
+class MESHKNIT_OT_add_two_way_merge(ExampleOperator, bpy.types.Operator):
+    """Add two tubes that merge into one"""
+
+    bl_idname = names.OP_ADD_TWO_WAY_MERGE
+    bl_label = "Two-Way Merge"
+
+
+class MESHKNIT_OT_add_three_way_merge(ExampleOperator, bpy.types.Operator):
+    """Add three tubes side by side that merge into one"""
+
+    bl_idname = names.OP_ADD_THREE_WAY_MERGE
+    bl_label = "Three-Way Merge"
 
 
 CLASSES = (
@@ -95,4 +134,9 @@ CLASSES = (
     MESHKNIT_OT_add_cone,
     MESHKNIT_OT_add_bent_tube,
     MESHKNIT_OT_add_sock,
+    MESHKNIT_OT_add_trousers,
+    MESHKNIT_OT_add_two_way_split,
+    MESHKNIT_OT_add_three_way_split,
+    MESHKNIT_OT_add_two_way_merge,
+    MESHKNIT_OT_add_three_way_merge,
 )

@@ -39,11 +39,26 @@ def add_object(context, mesh, location=(0.0, 0.0, 0.0)):
 
 
 def add_shape(context, name, shape, location=(0.0, 0.0, 0.0)):
-    """An example shape of the library (mm) in scene units, with start (-1) and end (+1) marked."""
+    """An example shape of the library (mm) in scene units, with its marks."""
     unit = 1000.0 * context.scene.unit_settings.scale_length
     mesh = make_mesh(name, shape["vertices"] / unit, list(shape["faces"]))
-    for place, time in (("start", -1.0), ("end", 1.0)):
-        loop = constraints.boundary_near(mesh, np.asarray(shape[place]) / unit)
-        constraints.add_constraint(mesh, loop, time, place.capitalize())
-    getattr(mesh, names.PROPERTIES).active = 0
+    apply_marks(mesh, shape, unit)
     return add_object(context, mesh, location)
+
+
+def apply_marks(mesh, shape, unit):
+    """Stores an example's times on its mesh, whose unit is `unit` mm: one constraint a boundary."""
+    on_boundaries = [mark for mark in shape["times"] if "boundary_near" in mark]
+    for mark, label in zip(on_boundaries, _labels([mark["time"] for mark in on_boundaries])):
+        loop = constraints.boundary_near(mesh, np.asarray(mark["boundary_near"]) / unit)
+        constraints.add_constraint(mesh, loop, mark["time"], label)
+    getattr(mesh, names.PROPERTIES).active = 0
+
+
+def _labels(times):
+    """Start and End for the first and last times, Rim for those between; numbered if several."""
+    kinds = [{min(times): "Start", max(times): "End"}.get(time, "Rim") for time in times]
+    return [
+        kind if kinds.count(kind) == 1 else f"{kind} {1 + kinds[:index].count(kind)}"
+        for index, kind in enumerate(kinds)
+    ]

@@ -14,7 +14,14 @@ class MESHKNIT_MT_shapes(bpy.types.Menu):
         layout.operator(names.OP_ADD_TUBE, icon="MESH_CYLINDER")
         layout.operator(names.OP_ADD_CONE, icon="MESH_CONE")
         layout.operator(names.OP_ADD_BENT_TUBE, icon="MOD_SIMPLEDEFORM")
+        layout.separator()
+        layout.operator(names.OP_ADD_TWO_WAY_SPLIT, icon="SORT_DESC")
+        layout.operator(names.OP_ADD_THREE_WAY_SPLIT, icon="SORT_DESC")
+        layout.operator(names.OP_ADD_TWO_WAY_MERGE, icon="SORT_ASC")
+        layout.operator(names.OP_ADD_THREE_WAY_MERGE, icon="SORT_ASC")
+        layout.separator()
         layout.operator(names.OP_ADD_SOCK, icon="MATCLOTH")
+        layout.operator(names.OP_ADD_TROUSERS, icon="MATCLOTH")
 
 
 def draw_entry(self, context):

@@ -55,8 +55,8 @@ ExampleShape skin_rings(const std::vector<Ring>& rings) {
         shape.faces.row(face++) << a, b, d;
       }
     }
-  shape.start = shape.vertices.row(0).transpose();
-  shape.end = shape.vertices.row((n - 1) * ring_points).transpose();
+  shape.times = {{-1.0, shape.vertices.row(0).transpose()},
+                 {1.0, shape.vertices.row((n - 1) * ring_points).transpose()}};
   return shape;
 }
 
@@ -94,10 +94,9 @@ ExampleShape straight_stub(double start_radius, double end_radius, double height
   }
   ExampleShape shape = skin_rings(rings);
   // The centre line runs down; turn the shape (not mirror it) so that it stands on its start.
-  for (auto* point : {&shape.start, &shape.end})
-    *point = Eigen::Vector3d(-point->x(), point->y(), -point->z());
-  shape.vertices.col(0) *= -1.0;
-  shape.vertices.col(2) *= -1.0;
+  const Eigen::DiagonalMatrix<double, 3> turn(-1.0, 1.0, -1.0);
+  shape.vertices = shape.vertices * turn;
+  for (TimeMark& mark : shape.times) mark.boundary_near = turn * mark.boundary_near;
   return shape;
 }
 
@@ -154,15 +153,46 @@ ExampleShape sock() {
   return skin_rings(rings);
 }
 
+ExampleShape scaled(ExampleShape shape, double size) {
+  shape.vertices *= size;
+  for (TimeMark& mark : shape.times) mark.boundary_near *= size;
+  for (OpeningMark& opening : shape.openings) {
+    opening.at *= size;
+    opening.radius *= size;
+  }
+  return shape;
+}
+
+namespace {
+
+struct NamedShape {
+  const char* name;
+  ExampleShape (*make)();
+};
+
+constexpr NamedShape named_shapes[] = {
+    {"straight_tube", [] { return straight_tube(); }},
+    {"cone", [] { return cone(); }},
+    {"bent_tube", [] { return bent_tube(); }},
+    {"sock", sock},
+    {"two_way_split", two_way_split},
+    {"three_way_split", three_way_split},
+    {"two_way_merge", two_way_merge},
+    {"three_way_merge", three_way_merge},
+    {"trousers", trousers},
+};
+
+}  // namespace
+
 std::vector<std::string> example_shape_names() {
-  return {"straight_tube", "cone", "bent_tube", "sock"};
+  std::vector<std::string> names;
+  for (const NamedShape& shape : named_shapes) names.push_back(shape.name);
+  return names;
 }
 
 ExampleShape example_shape(const std::string& name) {
-  if (name == "straight_tube") return straight_tube();
-  if (name == "cone") return cone();
-  if (name == "bent_tube") return bent_tube();
-  if (name == "sock") return sock();
+  for (const NamedShape& shape : named_shapes)
+    if (name == shape.name) return shape.make();
   throw InvalidInput("no example shape is called \"" + name + "\"");
 }
 

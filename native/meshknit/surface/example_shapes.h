@@ -4,18 +4,29 @@
 #include <string>
 #include <vector>
 
+#include "meshknit/surface/openings.h"
 #include "meshknit/surface/triangle_mesh.h"
 
 namespace meshknit {
 
+/// When a boundary or the rim of an opening is knit.
+struct TimeMark {
+  double time = 0.0;                                        ///< in [-1, 1]
+  Eigen::Vector3d boundary_near = Eigen::Vector3d::Zero();  ///< mm; unless `opening` says which
+  int opening = -1;                                         ///< index into the openings, or -1
+};
+
 /// A shape to learn and to test with: arrays in mm, faces anticlockwise seen from outside, and
-/// a point near the boundary where knitting starts and near the one where it ends.
+/// what a marks file would say: where to open it and when its rims are knit.
 struct ExampleShape {
   VertexArray vertices;
   FaceArray faces;
-  Eigen::Vector3d start = Eigen::Vector3d::Zero();
-  Eigen::Vector3d end = Eigen::Vector3d::Zero();
+  std::vector<TimeMark> times;
+  std::vector<OpeningMark> openings;
 };
+
+/// The same shape, `size` times as large, with its marks.
+ExampleShape scaled(ExampleShape shape, double size);
 
 /// Upright tube from z = 0 (start) to z = length (end).
 ExampleShape straight_tube(double radius = 30.0, double length = 120.0);
@@ -30,6 +41,18 @@ ExampleShape bent_tube(double degrees = 90.0, double radius = 25.0, double leg =
 /// A sock, cuff (start) up, toe (end, a small opening) along x: the leg narrows to the ankle,
 /// the heel is wider and bends, the foot narrows to the toe.
 ExampleShape sock();
+
+/// A trunk that splits into limbs side by side, upright, all rims flat: from the trunk (start)
+/// to two or three limbs (ends).
+ExampleShape two_way_split();
+ExampleShape three_way_split();
+
+/// The same shapes knit the other way round: limbs (starts) that merge into a trunk (end).
+ExampleShape two_way_merge();
+ExampleShape three_way_merge();
+
+/// Trousers, waist (start) up, both hems (ends) down.
+ExampleShape trousers();
 
 /// Names that example_shape() knows, and the shape of a name with its default sizes.
 /// Throws: InvalidInput for an unknown name.

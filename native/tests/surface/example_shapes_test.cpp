@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "meshknit/core/error.h"
-#include "meshknit/surface/edge_path.h"
 #include "meshknit/surface/surface.h"
+#include "meshknit/time_field/time_field.h"
+#include "shapes.h"
 
 namespace meshknit {
 namespace {
@@ -17,16 +19,100 @@ Surface surface_of(const ExampleShape& shape) {
   return make_surface(shape.vertices, shape.faces);
 }
 
-TEST(ExampleShapes, AreTubesWithoutFaults) {
-  for (const std::string& name : example_shape_names()) {
-    SCOPED_TRACE(name);
-    const ExampleShape shape = example_shape(name);
-    const Surface surface = surface_of(shape);
-    EXPECT_TRUE(surface.problems.empty());
-    EXPECT_EQ(surface.boundaries.size(), 2u);
-    EXPECT_EQ(surface.genus, 0);
-    EXPECT_NE(nearest_boundary(surface, shape.start), nearest_boundary(surface, shape.end));
+double smallest_angle(const ExampleShape& shape) {
+  double smallest = pi;
+  for (Eigen::Index f = 0; f < shape.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const auto corner = [&](int i) -> Eigen::Vector3d {
+        return shape.vertices.row(shape.faces(f, (k + i) % 3)).transpose();
+      };
+      const Eigen::Vector3d a = corner(1) - corner(0), b = corner(2) - corner(0);
+      smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+  return smallest;
+}
+
+class EveryExample : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(ExampleShapes, EveryExample, testing::ValuesIn(example_shape_names()),
+                         [](const auto& shape) { return shape.param; });
+
+TEST_P(EveryExample, IsOnePieceWithoutFaults) {
+  const Surface surface = surface_of(example_shape(GetParam()));
+  EXPECT_TRUE(surface.problems.empty());
+  EXPECT_EQ(surface.components, 1);
+}
+
+TEST_P(EveryExample, HasATimeForEveryRimAndAFieldWithoutFalseEnds) {
+  const ExampleShape shape = example_shape(GetParam());
+  const Surface surface = surface_of(shape);
+  const std::vector<TimeConstraint> constraints = time_constraints(surface, shape);
+  EXPECT_TRUE(check_constraints(surface, constraints).empty());
+  const TimeFieldCheck check = solve_time_field(surface, constraints).check;
+  EXPECT_TRUE(check.problems.empty());
+  EXPECT_EQ(check.extrema, 0);
+  EXPECT_EQ(check.saddles, check.expected_saddles);
+}
+
+TEST_P(EveryExample, FitsTheBedAndIsKnitInReasonableTime) {
+  // At half gauge a tube of n stitches takes n needles of each of two beds: n / 2 loops a bed,
+  // every other needle. No level of the field may be longer than 250 stitches of 3.66 mm.
+  const TimedShape shape = shape_named(GetParam());
+  const TriangleMesh& mesh = shape.surface.mesh;
+  for (double level = -0.975; level < 1.0; level += 0.05) {
+    double length = 0.0;
+    for (const auto face : mesh.faces()) {
+      std::vector<Eigen::Vector3d> ends;
+      for (const auto half : face.halfedges()) {
+        const double from = shape.time[half.from().idx()] - level;
+        const double to = shape.time[half.to().idx()] - level;
+        if ((from < 0.0) != (to < 0.0))
+          ends.push_back(mesh.point(half.from()) +
+                         from / (from - to) *
+                             (mesh.point(half.to()) - mesh.point(half.from())));
+      }
+      if (ends.size() == 2) length += (ends[1] - ends[0]).norm();
+    }
+    EXPECT_LE(length, 250.0 * 3.66) << "at time " << level;
   }
+  // A node is one stitch wide and two courses high.
+  const double nodes = shape.surface.area / (3.66 * 2.0 * 1.73);
+  EXPECT_GE(nodes, 1400.0);
+  EXPECT_LE(nodes, 6000.0);
+}
+
+TEST(ExampleShapes, BranchAsTheirNamesSay) {
+  struct Branching {
+    const char* name;
+    int starts, ends;
+  };
+  for (const Branching& expected :
+       {Branching{"sock", 1, 1}, Branching{"two_way_split", 1, 2},
+        Branching{"three_way_split", 1, 3}, Branching{"two_way_merge", 2, 1},
+        Branching{"three_way_merge", 3, 1}, Branching{"trousers", 1, 2}}) {
+    const ExampleShape shape = example_shape(expected.name);
+    const Surface surface = surface_of(shape);
+    int starts = 0, ends = 0;
+    for (const TimeMark& mark : shape.times) {
+      starts += mark.time == -1.0;
+      ends += mark.time == 1.0;
+    }
+    EXPECT_EQ(starts, expected.starts) << expected.name;
+    EXPECT_EQ(ends, expected.ends) << expected.name;
+    EXPECT_EQ(surface.boundaries.size(), shape.times.size()) << expected.name;
+    EXPECT_EQ(surface.genus, 0) << expected.name;
+  }
+}
+
+TEST(ExampleShapes, HaveTrianglesWithoutSlivers) {
+  // Half the smallest angle of a good triangle is still far from what rounding can upset.
+  for (const std::string& name : example_shape_names())
+    EXPECT_GT(smallest_angle(example_shape(name)), 10.0 * pi / 180.0) << name;
+}
+
+TEST(ExampleShapes, GrowWithTheirMarks) {
+  const ExampleShape drawn = trousers(), larger = scaled(trousers(), 2.0);
+  EXPECT_NEAR(surface_of(larger).area, 4.0 * surface_of(drawn).area, 1e-3);
+  EXPECT_EQ(larger.times[1].boundary_near, 2.0 * drawn.times[1].boundary_near);
 }
 
 TEST(ExampleShapes, FaceOutwards) {
