@@ -43,6 +43,7 @@ GeodesicBand::GeodesicBand(const PeelState& state, const KnitLimits& limits)
       foot_(state.mesh.n_vertices(), 0.0),
       nearest_(state.mesh.n_vertices(), 0),
       cycle_of_edge_(state.mesh.n_edges(), -1),
+      place_on_edge_(state.mesh.n_edges(), 0.0),
       bends_(state.mesh.n_vertices(), 0) {
   std::vector<double> angle(state.mesh.n_vertices(), 0.0);
   for (const auto h : state.mesh.halfedges()) {
@@ -66,9 +67,11 @@ void GeodesicBand::measure(const std::vector<const Cycle*>& cycles, double limit
   limit_ = limit;
   const int count = static_cast<int>(cycles.size());
   for (int k = 0; k < count; ++k)
-    for (const EdgeCrossing& c : cycles[k]->crossings) {
-      cycle_of_edge_[c.halfedge >> 1] = k;
-      crossed_.push_back(c.halfedge >> 1);
+    for (int i = 0; i < cycles[k]->size(); ++i) {
+      const int edge = cycles[k]->crossings[i].halfedge >> 1;
+      cycle_of_edge_[edge] = k;
+      place_on_edge_[edge] = cycles[k]->arc[i];
+      crossed_.push_back(edge);
     }
   for (int k = 0; k < count; ++k)
     for (int i = 0; i < cycles[k]->size(); ++i) launch_piece(*cycles[k], k, i);

@@ -28,8 +28,9 @@ class GeodesicBand {
   /// Which of the cycles is nearest, and where on it (distance along it, mm) the nearest point is.
   int nearest_cycle(int vertex) const { return nearest_[vertex]; }
   double foot(int vertex) const { return foot_[vertex]; }
-  /// The cycle that crosses this edge, -1 if none does.
+  /// The cycle that crosses this edge, -1 if none does, and where on it that is.
   int cycle_across(int edge) const { return cycle_of_edge_[edge]; }
+  double place_across(int edge) const { return place_on_edge_[edge]; }
 
  private:
   // Rays from a point, or parallel ones from a straight piece of the cycle, in a triangle's
@@ -78,6 +79,7 @@ class GeodesicBand {
   std::vector<double> distance_, foot_;
   std::vector<int> nearest_;
   std::vector<int> cycle_of_edge_;
+  std::vector<double> place_on_edge_;
   std::vector<int> crossed_;  // edges of the cycles
   std::vector<char> bends_;  // vertices with more than a full turn round them
   std::vector<int> reached_;

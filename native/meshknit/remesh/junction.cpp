@@ -8,6 +8,7 @@
 
 #include "meshknit/core/error.h"
 #include "meshknit/remesh/junction_links.h"
+#include "meshknit/remesh/sampling.h"
 #include "meshknit/surface/wording.h"
 
 namespace meshknit {
@@ -24,6 +25,7 @@ class Junction {
       : peel_(peel),
         number_(event),
         event_(peel.plan.reeb.events[event]),
+        saddle_(peel.plan.vertices_of_region[peel.plan.event_region(event)]),
         below_(below) {
     for (const ActiveCycle& active : below_) cycles_.push_back(&active.cycle);
   }
@@ -57,7 +59,8 @@ class Junction {
 
   void open_tubes() {
     peel_.limits.close_all();
-    peel_.limits.open_junction(number_);
+    peel_.limits.finish(peel_.plan.event_region(number_));
+    for (const int arc : event_.below) peel_.limits.finish(arc);
     for (const int arc : event_.above) peel_.limits.open(arc);
   }
 
@@ -78,9 +81,8 @@ class Junction {
     do {
       peel_.band.measure(cycles_, limit);
       limit *= 2.0;
-    } while (!std::all_of(event_.vertices.begin(), event_.vertices.end(), reached) &&
-             limit < 1e6);
-    std::vector<NextCycle> found = peel_.slicer.slice(peel_.band, cycles_, level);
+    } while (!std::all_of(saddle_.begin(), saddle_.end(), reached) && limit < 1e6);
+    std::vector<NextCycle> found = peel_.slicer.slice(peel_.band, cycles_, RowLevel::of_height(level));
     next_.assign(event_.above.size(), NextCycle{});
     if (getenv("DBG")) { printf("junction %d level %.2f cycles %zu  below",number_,level,found.size()); for (auto*c:cycles_) printf(" %.1f",c->length()); for (auto&f:found){ printf(" [%d len %.1f tube %d src",f.cycle.size(),f.cycle.length(),tube_of(f)); int a=0;for(int x:f.source)a+=x;printf(" %d]",a);} printf("\n"); }
     pockets_.clear();
@@ -140,10 +142,11 @@ class Junction {
 
   void knit_surface() {
     std::vector<int> now;
-    for (const int v : event_.vertices)
-      if (!peel_.state.knitted[v]) now.push_back(v);
     for (const int v : peel_.band.reached())
       if (below_level(v)) now.push_back(v);
+    for (const int arc : event_.below)
+      for (const int v : peel_.plan.vertices_of_region[arc])
+        if (!peel_.state.knitted[v]) now.push_back(v);
     for (const NextCycle& island : pockets_) {
       now.push_back(peel_.state.to(island.cycle.crossings.front().halfedge));
       for (std::size_t k = now.size() - 1; k < now.size(); ++k)
@@ -179,8 +182,8 @@ class Junction {
     const ActiveCycle& active = below_.front();
     const int n = static_cast<int>(active.nodes.size());
     if (n < 2 * fewest_round) refuse("the tube below has too few stitches to part.");
-    const std::vector<NodeImage> images[2] = {images_across(active, 0, next_[0]),
-                                              images_across(active, 0, next_[1])};
+    const std::vector<NodeImage> images[2] = {images_on_next(active, 0, next_[0]),
+                                              images_on_next(active, 0, next_[1])};
     std::vector<double> weights;
     for (int i = 0; i < n; ++i) weights.push_back(images[0][i].off < images[1][i].off ? 1.0 : -1.0);
     const Stretch first = best_stretch(weights, fewest_round);
@@ -197,6 +200,7 @@ class Junction {
         y += std::sin(angle);
       }
       const double begin = std::atan2(y, x) / turn * next_[k].cycle.length();
+      if (getenv("DBG")) { printf("split part %d first %d count %d wanted %.1f resid %.3f\n",k,part.first,part.count,next_[k].cycle.length()/peel_.options.stitch_width,std::hypot(x,y)/part.count); for(int i=0;i<part.count;i++) printf(" %.1f/%.1f",images[k][(part.first + i) % n].place-i*spacing,images[k][(part.first + i) % n].off); printf("\n"); }
       std::vector<double> places;
       for (int i = 0; i < part.count; ++i)
         places.push_back(forward(0.0, begin + i * spacing, next_[k].cycle.length()));
@@ -229,7 +233,7 @@ class Junction {
       const double from = k == 0 ? begin : end, span = forward(from, k == 0 ? end : begin, length);
       std::vector<double> here;
       for (int i = 0; i < n; ++i) here.push_back(from + (i + 0.5) * span / n);
-      const int shift = best_shift(images_across(active, k, next), here, length);
+      const int shift = best_shift(images_on_next(active, k, next), here, length);
       for (int i = 0; i < n; ++i) {
         places.push_back(forward(0.0, here[i], length));
         lower.push_back(active.nodes[(i + shift) % n].node);
@@ -266,6 +270,7 @@ class Junction {
   Peel& peel_;
   int number_;
   const ReebEvent& event_;
+  const std::vector<int>& saddle_;  // the vertices near the saddle, which this step knits
   const std::vector<ActiveCycle>& below_;
   std::vector<const Cycle*> cycles_;
   double level_ = 0.0;

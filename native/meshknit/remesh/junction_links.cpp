@@ -1,36 +1,8 @@
 #include "meshknit/remesh/junction_links.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <utility>
 
 namespace meshknit {
-
-std::vector<NodeImage> images_across(const ActiveCycle& active, int source,
-                                     const NextCycle& next) {
-  const double length = active.cycle.length();
-  std::vector<std::pair<double, int>> feet;  // place on the active cycle, crossing
-  for (int i = 0; i < next.cycle.size(); ++i)
-    if (next.source[i] == source) feet.push_back({next.foot[i], i});
-  std::sort(feet.begin(), feet.end());
-  std::vector<NodeImage> images;
-  for (const ActiveNode& node : active.nodes) {
-    NodeImage image;
-    image.off = std::numeric_limits<double>::infinity();
-    const auto after = std::lower_bound(feet.begin(), feet.end(), std::make_pair(node.place, -1));
-    const std::size_t k = static_cast<std::size_t>(after - feet.begin());
-    if (!feet.empty())
-      for (const std::size_t near : {k % feet.size(), (k + feet.size() - 1) % feet.size()}) {
-        const double off = around(feet[near].first, node.place, length);
-        if (std::abs(off) >= image.off) continue;
-        image.off = std::abs(off);
-        image.place = next.cycle.arc[feet[near].second];
-      }
-    images.push_back(image);
-  }
-  return images;
-}
 
 Stretch best_stretch(const std::vector<double>& weights, int fewest) {
   const int n = static_cast<int>(weights.size());

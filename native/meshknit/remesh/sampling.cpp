@@ -2,47 +2,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "meshknit/remesh/linking.h"
 
 namespace meshknit {
+namespace {
 
-std::vector<double> images_on_next(const ActiveCycle& active, const NextCycle& next) {
+// How far along the active cycle from a node its image is looked for, mm.
+constexpr double look_aside = 3.0;
+
+}  // namespace
+
+std::vector<NodeImage> images_on_next(const ActiveCycle& active, int source,
+                                      const NextCycle& next) {
   const double length = active.cycle.length();
-  const int n = next.cycle.size(), nodes = static_cast<int>(active.nodes.size());
-  std::vector<double> images(nodes, 0.0);
-  std::vector<double> nearest(nodes, 2.0 * length);
-  // Every piece of the next cycle is the image of the stretch between its ends' feet.
-  std::vector<std::pair<double, int>> by_place(nodes);
-  for (int i = 0; i < nodes; ++i) by_place[i] = {active.nodes[i].place, i};
-  std::sort(by_place.begin(), by_place.end());
-  const auto offer = [&](int node, double off, double image) {
-    if (off < nearest[node]) {
-      nearest[node] = off;
-      images[node] = image;
-    }
-  };
-  for (int i = 0; i < n; ++i) {
-    const double a = next.foot[i], span = around(a, next.foot[(i + 1) % n], length);
-    const double step = next.cycle.arc[i + 1] - next.cycle.arc[i];
-    const auto first =
-        std::lower_bound(by_place.begin(), by_place.end(), std::make_pair(a, -1));
-    const int begin = static_cast<int>(first - by_place.begin());
-    for (int k = 0; k < nodes; ++k) {
-      const auto& [place, node] = by_place[(begin + k) % nodes];
-      const double ahead = forward(a, place, length);
-      if (span <= 0.0 || ahead > span) {
-        offer(node, ahead, next.cycle.arc[i]);
-        break;
+  std::vector<std::pair<double, int>> feet;  // place on the active cycle, crossing
+  for (int i = 0; i < next.cycle.size(); ++i)
+    if (next.source[i] == source) feet.push_back({next.foot[i], i});
+  std::sort(feet.begin(), feet.end());
+  const int n = static_cast<int>(feet.size());
+  std::vector<NodeImage> images;
+  for (const ActiveNode& node : active.nodes) {
+    NodeImage image;
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto offer = [&](int k) {
+      const auto& [foot, crossing] = feet[k];
+      const double off = around(foot, node.place, length), gap = next.gap[crossing];
+      if (off * off + gap * gap < nearest) {
+        nearest = off * off + gap * gap;
+        image.off = std::abs(off);
+        const double step = next.cycle.arc[crossing + 1] - next.cycle.arc[crossing];
+        image.place = next.cycle.arc[crossing] + std::clamp(off, -step, step);
       }
-      offer(node, 0.0, next.cycle.arc[i] + step * ahead / span);
-    }
+      return std::abs(off);
+    };
+    const auto after = std::lower_bound(feet.begin(), feet.end(), std::make_pair(node.place, -1));
+    const int begin = static_cast<int>(after - feet.begin());
+    // A far strand of the active cycle may have a foot that fits, too: what is nearest counts.
+    for (int k = 0; k < n && offer((begin + k) % n) < look_aside; ++k) continue;
+    for (int k = 1; k <= n && offer((begin - k + n) % n) < look_aside; ++k) continue;
+    images.push_back(image);
   }
   return images;
 }
 
 std::vector<double> sample_next_row(const ActiveCycle& active, const NextCycle& next,
-                                    const std::vector<double>& images, double stitch_width,
+                                    const std::vector<NodeImage>& images, double stitch_width,
                                     int fewest) {
   constexpr double turn = 6.28318530717958647692;
   std::vector<char> single;
@@ -53,9 +60,9 @@ std::vector<double> sample_next_row(const ActiveCycle& active, const NextCycle& 
                                std::min(std::max(fewest, least), most), most);
   const double spacing = length / count;
   double x = 0.0, y = 0.0;
-  for (const double image : images) {
-    x += std::cos(turn * image / spacing);
-    y += std::sin(turn * image / spacing);
+  for (const NodeImage& image : images) {
+    x += std::cos(turn * image.place / spacing);
+    y += std::sin(turn * image.place / spacing);
   }
   const double phase = std::atan2(y, x) / turn * spacing;
   std::vector<double> places(count);

@@ -15,7 +15,7 @@ Slicer::Slicer(const PeelState& state, const KnitLimits& limits)
     : state_(state), limits_(limits), seen_(state.mesh.n_edges(), 0) {}
 
 std::vector<NextCycle> Slicer::slice(const GeodesicBand& band,
-                                     const std::vector<const Cycle*>& actives, double level) {
+                                     const std::vector<const Cycle*>& actives, const RowLevel& level) {
   const std::vector<int> crossed = crossed_edges(band, level);
   std::vector<NextCycle> cycles;
   for (const int first : crossed) {
@@ -37,7 +37,7 @@ std::vector<NextCycle> Slicer::slice(const GeodesicBand& band,
   return cycles;
 }
 
-std::vector<int> Slicer::crossed_edges(const GeodesicBand& band, double level) const {
+std::vector<int> Slicer::crossed_edges(const GeodesicBand& band, const RowLevel& level) const {
   std::vector<int> crossed;
   for (const int v : band.reached()) {
     const bool v_below = below(band, level, v);
@@ -54,15 +54,17 @@ std::vector<int> Slicer::crossed_edges(const GeodesicBand& band, double level) c
 }
 
 void Slicer::add_crossing(const GeodesicBand& band, const std::vector<const Cycle*>& actives,
-                          double level, int h, NextCycle& next) const {
+                          const RowLevel& level, int h, NextCycle& next) const {
   const int u = state_.from(h), w = state_.to(h);
   // Along an edge that the active cycle crosses too, distance grows from there.
-  const bool from_active = state_.knitted[u] != 0, reached = std::isfinite(band.distance(w));
+  const bool from_active = state_.knitted[u] != 0;
   const double start = from_active ? state_.crossing[h >> 1] : 0.0;
   const double d_u = from_active ? 0.0 : band.distance(u);
   const double d_w = std::min(band.distance(w), d_u + state_.length(h));
-  double along = d_w > d_u ? (level - d_u) / (d_w - d_u) : 1.0;
-  along = std::clamp(along, 0.0, 1.0);
+  // How far below the row u and above it w lie.
+  const double under = level.height(from_active ? w : u, d_u) - d_u;
+  const double over = d_w - level.height(w, d_w);
+  const double along = under + over > 0.0 ? std::clamp(under / (under + over), 0.0, 1.0) : 1.0;
   double t = start + along * (1.0 - start);
   if (!limits_.may_knit(w)) t = std::min(t, limits_.plan().end_fraction(state_, u, w));
   t = std::clamp(t, std::min(std::max(start, clear_of_vertices), 1.0 - clear_of_vertices),
@@ -72,12 +74,10 @@ void Slicer::add_crossing(const GeodesicBand& band, const std::vector<const Cycl
   const double part = start < 1.0 ? (t - start) / (1.0 - start) : 1.0;
   next.gap.push_back(d_u + part * (d_w - d_u));
   const int across = band.cycle_across(h >> 1);
-  const int source = !from_active         ? band.nearest_cycle(u)
-                     : across >= 0        ? across
-                                          : band.nearest_cycle(w);
-  const bool one_cycle = reached && band.nearest_cycle(w) == source;
-  const double foot_w = one_cycle ? band.foot(w) : from_active ? 0.0 : band.foot(u);
-  const double foot_u = from_active ? foot_w : band.foot(u);
+  const int source = across >= 0 ? across : band.nearest_cycle(u);
+  const double foot_u = across >= 0 ? band.place_across(h >> 1) : band.foot(u);
+  const bool one_cycle = std::isfinite(band.distance(w)) && band.nearest_cycle(w) == source;
+  const double foot_w = one_cycle ? band.foot(w) : foot_u;
   const double length = actives[source]->length();
   next.source.push_back(source);
   next.foot.push_back(forward(0.0, foot_u + part * around(foot_u, foot_w, length), length));

@@ -4,6 +4,7 @@
 
 #include "meshknit/remesh/front.h"
 #include "meshknit/remesh/geodesic_band.h"
+#include "meshknit/remesh/row_level.h"
 
 namespace meshknit {
 
@@ -23,19 +24,20 @@ class Slicer {
  public:
   Slicer(const PeelState& state, const KnitLimits& limits);
 
-  /// All components of the border of what lies below `level` mm and may be knit in this step,
+  /// All components of the border of what lies below the level and may be knit in this step,
   /// longest first.
-  /// Requires: band.measure(actives, limit) with a limit of at least the level.
+  /// Requires: band.measure(actives, limit) with a limit of at least the row's height.
   std::vector<NextCycle> slice(const GeodesicBand& band,
-                               const std::vector<const Cycle*>& actives, double level);
+                               const std::vector<const Cycle*>& actives, const RowLevel& level);
 
  private:
-  std::vector<int> crossed_edges(const GeodesicBand& band, double level) const;
+  std::vector<int> crossed_edges(const GeodesicBand& band, const RowLevel& level) const;
   void add_crossing(const GeodesicBand& band, const std::vector<const Cycle*>& actives,
-                    double level, int halfedge, NextCycle& next) const;
-  bool below(const GeodesicBand& band, double level, int vertex) const {
+                    const RowLevel& level, int halfedge, NextCycle& next) const;
+  bool below(const GeodesicBand& band, const RowLevel& level, int vertex) const {
     return state_.knitted[vertex] || limits_.must_knit(vertex) ||
-           (band.distance(vertex) < level && limits_.may_knit(vertex));
+           (limits_.may_knit(vertex) &&
+            band.distance(vertex) < level.height(vertex, band.distance(vertex)));
   }
 
   const PeelState& state_;

@@ -125,10 +125,9 @@ SweepPlan plan_sweep(const PeelState& state, double row_height) {
   plan.reeb = reeb_graph(state.mesh, state.time);
   divide(state, row_height, plan);
   measure_to_end(state, row_height, plan);
-  plan.vertices_of_arc.resize(plan.reeb.arcs.size());
+  plan.vertices_of_region.resize(plan.regions());
   for (std::size_t v = 0; v < plan.region.size(); ++v)
-    if (plan.region[v] < static_cast<int>(plan.reeb.arcs.size()))
-      plan.vertices_of_arc[plan.region[v]].push_back(static_cast<int>(v));
+    plan.vertices_of_region[plan.region[v]].push_back(static_cast<int>(v));
   return plan;
 }
 

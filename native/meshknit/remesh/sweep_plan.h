@@ -19,7 +19,7 @@ struct SweepPlan {
   std::vector<int> region;
   /// Per vertex of an arc: distance to the arc's end curve, mm; infinite where that is far.
   std::vector<double> to_end;
-  std::vector<std::vector<int>> vertices_of_arc;
+  std::vector<std::vector<int>> vertices_of_region;
 
   int event_region(int event) const { return static_cast<int>(reeb.arcs.size()) + event; }
   int regions() const { return event_region(static_cast<int>(reeb.events.size())); }

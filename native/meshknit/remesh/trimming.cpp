@@ -34,16 +34,16 @@ Trimmer::Trimmer(PeelState& state, const KnitLimits& limits)
     : state_(state), limits_(limits), seen_(state.mesh.n_edges(), 0) {}
 
 std::optional<Cycle> Trimmer::trim(const GeodesicBand& band, const Cycle& active,
-                                   const Cycle& next, double level,
+                                   const Cycle& next, const RowLevel& level,
                                    const std::vector<TrimRegion>& regions) {
   const double length = active.length();
+  const auto part = [&](int v) { return band.distance(v) / level.height(v, band.distance(v)); };
   const auto depth = [&](int v) {
-    return regions.empty() ? length
-                           : inside_by(regions, band.foot(v), band.distance(v) / level, length);
+    return regions.empty() ? length : inside_by(regions, band.foot(v), part(v), length);
   };
   std::vector<int> knitted_now;
   for (const int v : band.reached())
-    if (limits_.may_knit(v) && band.distance(v) < level && depth(v) > 0.0)
+    if (limits_.may_knit(v) && part(v) < 1.0 && depth(v) > 0.0)
       knitted_now.push_back(v);
   std::vector<std::pair<int, double>> old_crossings;
   const auto cross_at = [&](int edge, double t) {
@@ -65,7 +65,7 @@ std::optional<Cycle> Trimmer::trim(const GeodesicBand& band, const Cycle& active
         if (d_w >= 0.0) continue;
         const double wall =
             std::clamp(d_u / (d_u - d_w), clear_of_vertices, 1.0 - clear_of_vertices);
-        const bool beyond = !limits_.may_knit(w) || band.distance(w) >= level;
+        const bool beyond = !limits_.may_knit(w) || part(w) >= 1.0;
         const double t = state_.crossing[h.idx() >> 1];
         cross_at(h.idx() >> 1, beyond ? std::min(t, wall) : wall);
       }

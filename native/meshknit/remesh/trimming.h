@@ -5,6 +5,7 @@
 
 #include "meshknit/remesh/front.h"
 #include "meshknit/remesh/geodesic_band.h"
+#include "meshknit/remesh/row_level.h"
 
 namespace meshknit {
 
@@ -25,7 +26,7 @@ class Trimmer {
   /// row closes off are knitted over if they are smaller than a few stitches. No cycle if what is
   /// left open falls apart; then nothing has changed.
   std::optional<Cycle> trim(const GeodesicBand& band, const Cycle& active, const Cycle& next,
-                            double level, const std::vector<TrimRegion>& regions);
+                            const RowLevel& level, const std::vector<TrimRegion>& regions);
 
   /// Vertices that the last trim() knitted.
   int newly_knitted() const { return newly_knitted_; }

@@ -36,12 +36,12 @@ RestOfTube rest_of_tube(const PeelState& state, const SweepPlan& plan, int arc,
   }
   rest.height = row_height;
   rest.near = rest.least <= near_rows * row_height;
-  const bool even = rest.most < 0.5 * far_away;
-  if (!rest.near && !even) return rest;
-  const double counted = rest.near ? rest.least : rest.mean;
-  rest.rows = std::max(1, static_cast<int>(std::lround(counted / row_height)));
-  if (rest.rows <= shared_rows && even)
-    rest.height = std::clamp(rest.mean / rest.rows, 0.75 * row_height, 1.25 * row_height);
+  const bool far = rest.most > 0.5 * far_away;
+  if (!rest.near && far) return rest;
+  rest.rows = std::max(
+      1, static_cast<int>(std::lround((rest.near ? rest.least : rest.mean) / row_height)));
+  if (rest.rows > shared_rows) return rest;
+  rest.height = rest.mean / rest.rows;
   return rest;
 }
 

@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "meshknit/core/error.h"
-#include "meshknit/remesh/sampling.h"
 #include "meshknit/surface/wording.h"
 
 namespace meshknit {
@@ -52,15 +51,20 @@ void TubePeeling::resume() {
 bool TubePeeling::peel_row() {
   const RestOfTube rest =
       rest_of_tube(peel_.state, peel_.plan, arc_, active_.cycle, peel_.row_height);
+  if (getenv("DBG") && atoi(getenv("DBG"))>1) for (std::size_t i=0;i<active_.cycle.crossings.size();i++) if (rest.at_crossing[i]<0.1) { auto&c=active_.cycle.crossings[i]; int w=peel_.state.to(c.halfedge),u=peel_.state.from(c.halfedge); printf("   w %d region %d t %.5f u region %d t %.5f end %.3f %.3f fs %.2f\n",w,peel_.plan.region[w],peel_.state.time[w],peel_.plan.region[u],peel_.state.time[u],peel_.plan.to_end[w],peel_.plan.to_end[u],peel_.plan.from_saddle[w]); break;}
   if (getenv("DBG")) printf("arc %d nodes %zu cyc %d len %.1f least %.2f mean %.2f most %.2f rows %d h %.2f whole %d\n",arc_,active_.nodes.size(),active_.cycle.size(),active_.cycle.length(),rest.least,rest.mean,rest.most,rest.rows,rest.height,whole_);
   if (whole_ && rest.mean < 0.5 * peel_.row_height && rest.most < peel_.row_height) return false;
   const bool last = rest.near && rest.rows == 1;
   if (rest.near && even_out(rest)) return true;
+  if (getenv("DBG")&& rest.near && rest.most>(rest.rows+1)*peel_.row_height) printf("EVEN OUT FAILED\n");
   if (last) {
     knit_last(rest);
     return true;
   }
-  Candidate c = candidate(rest.height, 1.2 * rest.height);
+  Candidate c =
+      rest.near ? candidate(RowLevel::part_of_rest(rest.rows, 1.25 * peel_.row_height, peel_.plan),
+                            1.5 * peel_.row_height)
+                : candidate(RowLevel::of_height(rest.height), 1.2 * rest.height);
   if (!rest.near) {
     c.row.runs = accept(c, worthwhile_run(static_cast<int>(c.row.place.size())));
     if (!c.row.runs.empty() && knit_runs(c, c.row.runs)) return true;
@@ -81,14 +85,13 @@ bool TubePeeling::peel_row() {
   throw NotKnittable({problem});
 }
 
-TubePeeling::Candidate TubePeeling::candidate(double level, double limit) {
+TubePeeling::Candidate TubePeeling::candidate(const RowLevel& level, double limit) {
   peel_.band.measure({&active_.cycle}, limit);
   std::vector<NextCycle> cycles = peel_.slicer.slice(peel_.band, {&active_.cycle}, level);
   if (cycles.empty()) throw BrokenPromise("slicing found no next cycle");
-  Candidate c;
-  c.level = level;
+  Candidate c{level, {}, {}, {}};
   c.next = std::move(cycles.front());
-  c.images = images_on_next(active_, c.next);
+  c.images = images_on_next(active_, 0, c.next);
   c.row.place =
       sample_next_row(active_, c.next, c.images, peel_.options.stitch_width, fewest_);
   for (const double place : c.row.place)
@@ -97,13 +100,15 @@ TubePeeling::Candidate TubePeeling::candidate(double level, double limit) {
 }
 
 void TubePeeling::knit_last(const RestOfTube& rest) {
-  Candidate c = candidate(std::numeric_limits<double>::infinity(),
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Candidate c = candidate(RowLevel::part_of_rest(1, infinity, peel_.plan),
                           rest.most + 2.0 * peel_.row_height);
+  if (getenv("DBG")&&atoi(getenv("DBG"))>2) { printf("LAST\n"); for (size_t i=0;i<active_.nodes.size();i++) printf(" node %zu place %.1f image %.1f\n",i,active_.nodes[i].place,c.images[i].place); for (int i=0;i<c.next.cycle.size();i++) printf(" cross %d arc %.1f foot %.1f gap %.2f\n",i,c.next.cycle.arc[i],c.next.foot[i],c.next.gap[i]); }
   link(c);
   if (c.row.links.empty()) throw BrokenPromise("linking found no columns between two rows");
   for (const EdgeCrossing& crossing : c.next.cycle.crossings)
     peel_.state.crossing[crossing.halfedge >> 1] = crossing.t;
-  for (const int v : peel_.plan.vertices_of_arc[arc_]) {
+  for (const int v : peel_.plan.vertices_of_region[arc_]) {
     peel_.knitted += !peel_.state.knitted[v];
     peel_.state.knitted[v] = 1;
   }
@@ -164,7 +169,7 @@ std::vector<NodeRun> TubePeeling::accept(const Candidate& c, int worthwhile) con
 bool TubePeeling::even_out(const RestOfTube& rest) {
   const double height = peel_.row_height, enough = (rest.rows + 0.5) * height;
   if (rest.most < enough) return false;
-  const Candidate c = candidate(height, 1.2 * height);
+  const Candidate c = candidate(RowLevel::of_height(height), 1.2 * height);
   std::vector<double> lateness;
   for (const double place : c.row.place) {
     const CyclePoint below = active_.cycle.at(foot_of(c.next, place));
@@ -173,7 +178,11 @@ bool TubePeeling::even_out(const RestOfTube& rest) {
   const std::vector<double> gains(lateness.size(), height);
   std::vector<NodeRun> runs =
       accept_by_time(lateness, gains, 0.0, fewest_in_short_row, fewest_in_short_row);
-  return !runs.empty() && knit_runs(c, std::move(runs));
+  if (!runs.empty()) return knit_runs(c, std::move(runs));
+  // Where all but a few stitches are wanted, the row is whole.
+  const auto wanted = std::count_if(lateness.begin(), lateness.end(),
+                                    [](double late) { return late <= 0.0; });
+  return 2 * wanted > static_cast<std::ptrdiff_t>(lateness.size()) && knit(c);
 }
 
 void TubePeeling::link(Candidate& c) const {
@@ -187,7 +196,7 @@ void TubePeeling::link(Candidate& c) const {
     problem.active_single.push_back(node.single);
     problem.active_shaped.push_back(node.shaped);
   }
-  problem.image = c.images;
+  for (const NodeImage& image : c.images) problem.image.push_back(image.place);
   problem.active_length = active_.cycle.length();
   problem.next = row.place;
   for (const double place : row.place) {

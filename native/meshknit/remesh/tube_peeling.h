@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "meshknit/remesh/peel.h"
+#include "meshknit/remesh/sampling.h"
 #include "meshknit/remesh/tube_end.h"
 
 namespace meshknit {
@@ -25,13 +26,13 @@ class TubePeeling {
 
  private:
   struct Candidate {
+    RowLevel level;
     NextCycle next;
-    std::vector<double> images;
+    std::vector<NodeImage> images;
     NextRow row;
-    double level = 0.0;
   };
 
-  Candidate candidate(double level, double limit);
+  Candidate candidate(const RowLevel& level, double limit);
   std::vector<NodeRun> accept(const Candidate& c, int worthwhile) const;
   /// Near the end: a short row where the end is further away than elsewhere, if any is worth it.
   bool even_out(const RestOfTube& rest);
