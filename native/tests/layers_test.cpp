@@ -22,7 +22,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"tracing", {"core", "knit_graph"}},
     {"transfer", {"core", "machine"}},
     {"knitout", {"core", "machine"}},
-    {"remesh", {"core", "surface", "knit_graph"}},
+    {"remesh", {"core", "surface", "knit_graph", "time_field"}},
     {"schedule", {"core", "tracing", "machine"}},
     {"verify", {"core", "tracing", "machine", "knitout"}},
     {"emit", {"core", "tracing", "machine", "transfer", "schedule"}},

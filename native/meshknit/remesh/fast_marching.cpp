@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-
 #include <queue>
 #include <utility>
 
@@ -56,9 +55,8 @@ void march(const PeelState& state, const std::vector<MarchSeed>& seeds, double l
       const int third = state.to(mesh.next_halfedge_handle(h).idx());
       for (const auto& [known, other] : {std::pair<int, int>{w, third}, {third, w}})
         if (std::isfinite(distance[known]) && passable(known))
-          offer(other,
-                through_triangle(d, distance[known], state.point(v) - state.point(other),
-                                 state.point(known) - state.point(other)));
+          offer(other, through_triangle(d, distance[known], state.point(v) - state.point(other),
+                                        state.point(known) - state.point(other)));
     }
   }
 }

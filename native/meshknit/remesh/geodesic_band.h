@@ -81,7 +81,7 @@ class GeodesicBand {
   std::vector<int> cycle_of_edge_;
   std::vector<double> place_on_edge_;
   std::vector<int> crossed_;  // edges of the cycles
-  std::vector<char> bends_;  // vertices with more than a full turn round them
+  std::vector<char> bends_;   // vertices with more than a full turn round them
   std::vector<int> reached_;
   std::vector<Window> windows_;
   std::vector<Event> heap_;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include "meshknit/core/error.h"
@@ -46,7 +44,8 @@ class Junction {
     problem.message = "Near " + place_text(peel_.state.point(vertex)) + ", where tubes " +
                       (below_.size() == 1 ? "part" : "meet") + ", " + why;
     problem.remedy =
-        "Take finer stitches or a larger object, make these parts thicker, or move the times so "
+        "Take finer stitches or a larger object, make these parts thicker, or move the times "
+        "so "
         "that the tubes part and meet further from each other.";
     problem.elements.faces = peel_.faces_near(vertex);
     throw NotKnittable({problem});
@@ -54,7 +53,8 @@ class Junction {
 
   void require_simple() const {
     if (below_.size() * event_.above.size() == 2 && event_.index == -1) return;
-    refuse("more than three tubes come together in one spot, or a handle begins and ends in it.");
+    refuse(
+        "more than three tubes come together in one spot, or a handle begins and ends in it.");
   }
 
   void open_tubes() {
@@ -82,9 +82,9 @@ class Junction {
       peel_.band.measure(cycles_, limit);
       limit *= 2.0;
     } while (!std::all_of(saddle_.begin(), saddle_.end(), reached) && limit < 1e6);
-    std::vector<NextCycle> found = peel_.slicer.slice(peel_.band, cycles_, RowLevel::of_height(level));
+    std::vector<NextCycle> found =
+        peel_.slicer.slice(peel_.band, cycles_, RowLevel::of_height(level));
     next_.assign(event_.above.size(), NextCycle{});
-    if (getenv("DBG")) { printf("junction %d level %.2f cycles %zu  below",number_,level,found.size()); for (auto*c:cycles_) printf(" %.1f",c->length()); for (auto&f:found){ printf(" [%d len %.1f tube %d src",f.cycle.size(),f.cycle.length(),tube_of(f)); int a=0;for(int x:f.source)a+=x;printf(" %d]",a);} printf("\n"); }
     pockets_.clear();
     std::vector<NextCycle> nameless;
     for (NextCycle& cycle : found) {
@@ -185,7 +185,8 @@ class Junction {
     const std::vector<NodeImage> images[2] = {images_on_next(active, 0, next_[0]),
                                               images_on_next(active, 0, next_[1])};
     std::vector<double> weights;
-    for (int i = 0; i < n; ++i) weights.push_back(images[0][i].off < images[1][i].off ? 1.0 : -1.0);
+    for (int i = 0; i < n; ++i)
+      weights.push_back(images[0][i].off < images[1][i].off ? 1.0 : -1.0);
     const Stretch first = best_stretch(weights, fewest_round);
     const Stretch parts[2] = {first, {(first.first + first.count) % n, n - first.count}};
     std::vector<ActiveCycle> above;
@@ -200,7 +201,6 @@ class Junction {
         y += std::sin(angle);
       }
       const double begin = std::atan2(y, x) / turn * next_[k].cycle.length();
-      if (getenv("DBG")) { printf("split part %d first %d count %d wanted %.1f resid %.3f\n",k,part.first,part.count,next_[k].cycle.length()/peel_.options.stitch_width,std::hypot(x,y)/part.count); for(int i=0;i<part.count;i++) printf(" %.1f/%.1f",images[k][(part.first + i) % n].place-i*spacing,images[k][(part.first + i) % n].off); printf("\n"); }
       std::vector<double> places;
       for (int i = 0; i < part.count; ++i)
         places.push_back(forward(0.0, begin + i * spacing, next_[k].cycle.length()));
@@ -230,7 +230,8 @@ class Junction {
     for (int k = 0; k < 2; ++k) {
       const ActiveCycle& active = below_[k];
       const int n = static_cast<int>(active.nodes.size());
-      const double from = k == 0 ? begin : end, span = forward(from, k == 0 ? end : begin, length);
+      const double from = k == 0 ? begin : end,
+                   span = forward(from, k == 0 ? end : begin, length);
       std::vector<double> here;
       for (int i = 0; i < n; ++i) here.push_back(from + (i + 0.5) * span / n);
       const int shift = best_shift(images_on_next(active, k, next), here, length);
@@ -279,7 +280,8 @@ class Junction {
 
 }  // namespace
 
-std::vector<ActiveCycle> knit_junction(Peel& peel, int event, const std::vector<ActiveCycle>& below) {
+std::vector<ActiveCycle> knit_junction(Peel& peel, int event,
+                                       const std::vector<ActiveCycle>& below) {
   return Junction(peel, event, below).knit();
 }
 

@@ -33,8 +33,7 @@ PeelState fine_state(const Surface& surface, const std::vector<double>& time, do
 
 }  // namespace
 
-Peel::Peel(const Surface& surface, const std::vector<double>& time,
-           const RemeshOptions& given)
+Peel::Peel(const Surface& surface, const std::vector<double>& time, const RemeshOptions& given)
     : options(given),
       row_height(2.0 * given.stitch_height),
       state(fine_state(surface, time, fine_edge * std::min(given.stitch_width, row_height),

@@ -30,7 +30,8 @@ Peeling::Peeling(const Surface& surface, const std::vector<double>& time,
 }
 
 double Peeling::progress() const {
-  return static_cast<double>(peel_.knitted) / static_cast<double>(peel_.state.mesh.n_vertices());
+  return static_cast<double>(peel_.knitted) /
+         static_cast<double>(peel_.state.mesh.n_vertices());
 }
 
 void Peeling::step() {
@@ -97,7 +98,8 @@ void Peeling::start(const ReebEvent& event) {
 int Peeling::fewest_nodes(int arc) const {
   const ReebGraph& reeb = peel_.plan.reeb;
   // A tube that splits brings enough stitches for both.
-  return fewest_round * std::max(1, static_cast<int>(reeb.events[reeb.arcs[arc].to].above.size()));
+  return fewest_round *
+         std::max(1, static_cast<int>(reeb.events[reeb.arcs[arc].to].above.size()));
 }
 
 void Peeling::begin_tube(int arc, ActiveCycle active) {

@@ -31,8 +31,8 @@ class Peeling {
   int fewest_nodes(int arc) const;
 
   Peel peel_;
-  int event_ = 0;                     // the next one
-  std::deque<TubePeeling> tubes_;     // under way; the first one is being peeled
+  int event_ = 0;                      // the next one
+  std::deque<TubePeeling> tubes_;      // under way; the first one is being peeled
   std::vector<ActiveCycle> last_row_;  // per arc, once it is done
   bool done_ = false;
 };

@@ -38,7 +38,8 @@ std::vector<NodeImage> images_on_next(const ActiveCycle& active, int source,
       }
       return std::abs(off);
     };
-    const auto after = std::lower_bound(feet.begin(), feet.end(), std::make_pair(node.place, -1));
+    const auto after =
+        std::lower_bound(feet.begin(), feet.end(), std::make_pair(node.place, -1));
     const int begin = static_cast<int>(after - feet.begin());
     // A far strand of the active cycle may have a foot that fits, too: what is nearest counts.
     for (int k = 0; k < n && offer((begin + k) % n) < look_aside; ++k) continue;

@@ -15,7 +15,8 @@ Slicer::Slicer(const PeelState& state, const KnitLimits& limits)
     : state_(state), limits_(limits), seen_(state.mesh.n_edges(), 0) {}
 
 std::vector<NextCycle> Slicer::slice(const GeodesicBand& band,
-                                     const std::vector<const Cycle*>& actives, const RowLevel& level) {
+                                     const std::vector<const Cycle*>& actives,
+                                     const RowLevel& level) {
   const std::vector<int> crossed = crossed_edges(band, level);
   std::vector<NextCycle> cycles;
   for (const int first : crossed) {

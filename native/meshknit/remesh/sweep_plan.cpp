@@ -79,15 +79,16 @@ void measure_to_end(const PeelState& state, double row_height, SweepPlan& plan) 
       if (arc >= arcs) continue;
       const double end = plan.reeb.events[plan.reeb.arcs[arc].to].time;
       const auto beyond = [&](int v) {
-        return plan.region[v] != arc && (state.time[v] >= end || plan.region[v] ==
-                                             plan.event_region(plan.reeb.arcs[arc].to));
+        return plan.region[v] != arc &&
+               (state.time[v] >= end ||
+                plan.region[v] == plan.event_region(plan.reeb.arcs[arc].to));
       };
       std::vector<Eigen::Vector3d> curve;  // where the end curve crosses this triangle
       for (const int u : c)
         for (const int w : c)
           if (!beyond(u) && beyond(w)) {
-            const bool rim = state.mesh.is_boundary(TriangleMesh::VertexHandle(w)) &&
-                             plan.region[w] >= arcs;
+            const bool rim =
+                state.mesh.is_boundary(TriangleMesh::VertexHandle(w)) && plan.region[w] >= arcs;
             const double t = rim ? 1.0 : plan.end_fraction(state, u, w);
             curve.push_back(state.point(u) + t * (state.point(w) - state.point(u)));
           }
@@ -98,8 +99,9 @@ void measure_to_end(const PeelState& state, double row_height, SweepPlan& plan) 
   }
   plan.to_end.assign(plan.region.size(), infinity);
   for (int arc = 0; arc < arcs; ++arc)
-    march(state, seeds[arc], planned_rows * row_height,
-          [&](int v) { return plan.region[v] == arc; }, plan.to_end);
+    march(
+        state, seeds[arc], planned_rows * row_height,
+        [&](int v) { return plan.region[v] == arc; }, plan.to_end);
 }
 
 }  // namespace

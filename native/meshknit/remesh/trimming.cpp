@@ -43,8 +43,7 @@ std::optional<Cycle> Trimmer::trim(const GeodesicBand& band, const Cycle& active
   };
   std::vector<int> knitted_now;
   for (const int v : band.reached())
-    if (limits_.may_knit(v) && part(v) < 1.0 && depth(v) > 0.0)
-      knitted_now.push_back(v);
+    if (limits_.may_knit(v) && part(v) < 1.0 && depth(v) > 0.0) knitted_now.push_back(v);
   std::vector<std::pair<int, double>> old_crossings;
   const auto cross_at = [&](int edge, double t) {
     old_crossings.push_back({edge, state_.crossing[edge]});
@@ -75,15 +74,14 @@ std::optional<Cycle> Trimmer::trim(const GeodesicBand& band, const Cycle& active
     std::vector<Cycle> cycles = walk(front_edges(active, knitted_now));
     if (cycles.empty()) break;
     if (cycles.size() == 1) {
-      newly_knitted_ = static_cast<int>(
-          std::count_if(knitted_now.begin(), knitted_now.end(),
-                        [&](int v) { return state_.knitted[v] != 0; }));
+      newly_knitted_ =
+          static_cast<int>(std::count_if(knitted_now.begin(), knitted_now.end(),
+                                         [&](int v) { return state_.knitted[v] != 0; }));
       return std::move(cycles.front());
     }
     // The way on to the end of the tube is no pocket, whatever its length.
-    std::stable_sort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
-      return a.length() < b.length();
-    });
+    std::stable_sort(cycles.begin(), cycles.end(),
+                     [](const Cycle& a, const Cycle& b) { return a.length() < b.length(); });
     bool mended = false;
     for (const Cycle& island : cycles)
       mended = close_pocket(island, knitted_now) || reopen_island(island, all_now) || mended;
@@ -152,9 +150,7 @@ bool Trimmer::close_pocket(const Cycle& island, std::vector<int>& knitted_now) {
 
 // Opens again what was knitted in this row without touching what was knitted before.
 bool Trimmer::reopen_island(const Cycle& island, const std::vector<int>& all_now) {
-  const auto now = [&](int v) {
-    return std::binary_search(all_now.begin(), all_now.end(), v);
-  };
+  const auto now = [&](int v) { return std::binary_search(all_now.begin(), all_now.end(), v); };
   std::vector<int> blob{state_.from(island.crossings.front().halfedge)};
   if (!now(blob[0])) return false;
   state_.knitted[blob[0]] = 0;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <cstdio>
-#include <cstdlib>
 
 #include "meshknit/core/error.h"
 #include "meshknit/surface/wording.h"
@@ -51,20 +49,19 @@ void TubePeeling::resume() {
 bool TubePeeling::peel_row() {
   const RestOfTube rest =
       rest_of_tube(peel_.state, peel_.plan, arc_, active_.cycle, peel_.row_height);
-  if (getenv("DBG") && atoi(getenv("DBG"))>1) for (std::size_t i=0;i<active_.cycle.crossings.size();i++) if (rest.at_crossing[i]<0.1) { auto&c=active_.cycle.crossings[i]; int w=peel_.state.to(c.halfedge),u=peel_.state.from(c.halfedge); printf("   w %d region %d t %.5f u region %d t %.5f end %.3f %.3f fs %.2f\n",w,peel_.plan.region[w],peel_.state.time[w],peel_.plan.region[u],peel_.state.time[u],peel_.plan.to_end[w],peel_.plan.to_end[u],peel_.plan.from_saddle[w]); break;}
-  if (getenv("DBG")) printf("arc %d nodes %zu cyc %d len %.1f least %.2f mean %.2f most %.2f rows %d h %.2f whole %d\n",arc_,active_.nodes.size(),active_.cycle.size(),active_.cycle.length(),rest.least,rest.mean,rest.most,rest.rows,rest.height,whole_);
-  if (whole_ && rest.mean < 0.5 * peel_.row_height && rest.most < peel_.row_height) return false;
+  if (whole_ && rest.mean < 0.5 * peel_.row_height && rest.most < peel_.row_height)
+    return false;
   const bool last = rest.near && rest.rows == 1;
   if (rest.near && even_out(rest)) return true;
-  if (getenv("DBG")&& rest.near && rest.most>(rest.rows+1)*peel_.row_height) printf("EVEN OUT FAILED\n");
   if (last) {
     knit_last(rest);
     return true;
   }
   Candidate c =
-      rest.near ? candidate(RowLevel::part_of_rest(rest.rows, 1.25 * peel_.row_height, peel_.plan),
-                            1.5 * peel_.row_height)
-                : candidate(RowLevel::of_height(rest.height), 1.2 * rest.height);
+      rest.near
+          ? candidate(RowLevel::part_of_rest(rest.rows, 1.25 * peel_.row_height, peel_.plan),
+                      1.5 * peel_.row_height)
+          : candidate(RowLevel::of_height(rest.height), 1.2 * rest.height);
   if (!rest.near) {
     c.row.runs = accept(c, worthwhile_run(static_cast<int>(c.row.place.size())));
     if (!c.row.runs.empty() && knit_runs(c, c.row.runs)) return true;
@@ -75,9 +72,10 @@ bool TubePeeling::peel_row() {
   const int vertex = peel_.state.to(c.next.cycle.crossings.front().halfedge);
   Problem problem;
   problem.code = "splits-here";
-  problem.message = "Near " + place_text(peel_.state.point(vertex)) +
-                    " the rows would close round a part that stands out and is too thin for its "
-                    "length: at this gauge no row can reach its tip.";
+  problem.message =
+      "Near " + place_text(peel_.state.point(vertex)) +
+      " the rows would close round a part that stands out and is too thin for its "
+      "length: at this gauge no row can reach its tip.";
   problem.remedy =
       "Make an opening at the tip of this part, place times so that rows pass over it, make it "
       "wider or shorter, or take finer stitches.";
@@ -92,8 +90,7 @@ TubePeeling::Candidate TubePeeling::candidate(const RowLevel& level, double limi
   Candidate c{level, {}, {}, {}};
   c.next = std::move(cycles.front());
   c.images = images_on_next(active_, 0, c.next);
-  c.row.place =
-      sample_next_row(active_, c.next, c.images, peel_.options.stitch_width, fewest_);
+  c.row.place = sample_next_row(active_, c.next, c.images, peel_.options.stitch_width, fewest_);
   for (const double place : c.row.place)
     c.row.time.push_back(c.next.cycle.value(c.next.cycle.at(place), c.next.time));
   return c;
@@ -103,7 +100,6 @@ void TubePeeling::knit_last(const RestOfTube& rest) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Candidate c = candidate(RowLevel::part_of_rest(1, infinity, peel_.plan),
                           rest.most + 2.0 * peel_.row_height);
-  if (getenv("DBG")&&atoi(getenv("DBG"))>2) { printf("LAST\n"); for (size_t i=0;i<active_.nodes.size();i++) printf(" node %zu place %.1f image %.1f\n",i,active_.nodes[i].place,c.images[i].place); for (int i=0;i<c.next.cycle.size();i++) printf(" cross %d arc %.1f foot %.1f gap %.2f\n",i,c.next.cycle.arc[i],c.next.foot[i],c.next.gap[i]); }
   link(c);
   if (c.row.links.empty()) throw BrokenPromise("linking found no columns between two rows");
   for (const EdgeCrossing& crossing : c.next.cycle.crossings)
@@ -140,8 +136,8 @@ bool TubePeeling::knit_into_pocket(const Candidate& c) {
   const std::vector<double> gains(c.row.time.size(), 0.0);
   for (const double part : {0.9, 0.75, 0.6, 0.45, 0.3, 0.15}) {
     const double latest = times[static_cast<std::size_t>(part * (times.size() - 1))];
-    std::vector<NodeRun> runs = accept_by_time(c.row.time, gains, latest, fewest_in_short_row,
-                                               fewest_in_short_row);
+    std::vector<NodeRun> runs =
+        accept_by_time(c.row.time, gains, latest, fewest_in_short_row, fewest_in_short_row);
     if (!runs.empty() && knit_runs(c, std::move(runs))) return true;
   }
   return false;
@@ -180,8 +176,8 @@ bool TubePeeling::even_out(const RestOfTube& rest) {
       accept_by_time(lateness, gains, 0.0, fewest_in_short_row, fewest_in_short_row);
   if (!runs.empty()) return knit_runs(c, std::move(runs));
   // Where all but a few stitches are wanted, the row is whole.
-  const auto wanted = std::count_if(lateness.begin(), lateness.end(),
-                                    [](double late) { return late <= 0.0; });
+  const auto wanted =
+      std::count_if(lateness.begin(), lateness.end(), [](double late) { return late <= 0.0; });
   return 2 * wanted > static_cast<std::ptrdiff_t>(lateness.size()) && knit(c);
 }
 

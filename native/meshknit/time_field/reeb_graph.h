@@ -26,8 +26,8 @@ struct ReebArc {
 
 /// The Reeb graph of a time field (paper, 3.4; algorithms of the sweep with walked level sets).
 struct ReebGraph {
-  std::vector<ReebEvent> events;  ///< by time
-  std::vector<ReebArc> arcs;      ///< by the time of their first event
+  std::vector<ReebEvent> events;   ///< by time
+  std::vector<ReebArc> arcs;       ///< by the time of their first event
   std::vector<int> arc_of_vertex;  ///< -1 for vertices of events
 };
 

@@ -42,8 +42,8 @@ TEST_P(ExactBand, AgreesWithAnExactMethodWithinAHundredthOfARow) {
   const TimedShape shape = shape_named(GetParam().shape);
   PeeledSurface peeled(shape);
   peeled.peel(GetParam().rows);
-  GeodesicBand band(peeled.state);
-  band.measure(peeled.active, 1.2 * row);
+  GeodesicBand band(peeled.state, *peeled.limits);
+  band.measure({&peeled.active}, 1.2 * row);
 
   std::vector<MeshPlace> vertices;
   std::vector<double> ours;
@@ -56,8 +56,8 @@ TEST_P(ExactBand, AgreesWithAnExactMethodWithinAHundredthOfARow) {
   EXPECT_LE(p99(exact_distances(shape, peeled, vertices), ours), 0.01 * row);
 
   // The next cycle is a level set: all of it lies one row away.
-  Slicer slicer(peeled.state, peeled.last);
-  const NextCycle next = slicer.slice(band, peeled.active, row).front();
+  Slicer slicer(peeled.state, *peeled.limits);
+  const NextCycle next = slicer.slice(band, {&peeled.active}, RowLevel::of_height(row)).front();
   std::vector<MeshPlace> crossings;
   for (int i = 0; i < next.cycle.size(); ++i) {
     const auto h = TriangleMesh::HalfedgeHandle(next.cycle.crossings[i].halfedge);
@@ -69,8 +69,8 @@ TEST_P(ExactBand, AgreesWithAnExactMethodWithinAHundredthOfARow) {
 TEST(GeodesicBand, OnAnUprightTubeIsTheHeightAboveTheCycle) {
   const TimedShape shape = shape_named("straight_tube");
   PeeledSurface peeled(shape);
-  GeodesicBand band(peeled.state);
-  band.measure(peeled.active, 10.0);
+  GeodesicBand band(peeled.state, *peeled.limits);
+  band.measure({&peeled.active}, 10.0);
   for (const int v : band.reached()) {
     if (band.distance(v) > 10.0) continue;
     // The first cycle lies within 0.005 of an edge, 0.014 mm, of the rim at z = 0.
@@ -81,9 +81,9 @@ TEST(GeodesicBand, OnAnUprightTubeIsTheHeightAboveTheCycle) {
 TEST(GeodesicBand, FindsEveryVertexWithinItsLimitAndForgetsTheOnesOfLastTime) {
   const TimedShape shape = shape_named("straight_tube");
   PeeledSurface peeled(shape);
-  GeodesicBand band(peeled.state);
+  GeodesicBand band(peeled.state, *peeled.limits);
   for (const double limit : {20.0, 7.0}) {
-    band.measure(peeled.active, limit);
+    band.measure({&peeled.active}, limit);
     for (const auto v : peeled.state.mesh.vertices()) {
       const double height = peeled.state.point(v.idx()).z();
       if (height > 0.0 && height < limit - 0.01) {
@@ -100,8 +100,8 @@ TEST(GeodesicBand, FindsEveryVertexWithinItsLimitAndForgetsTheOnesOfLastTime) {
 TEST(GeodesicBand, KnowsThePlaceStraightBelow) {
   const TimedShape shape = shape_named("straight_tube");
   PeeledSurface peeled(shape);
-  GeodesicBand band(peeled.state);
-  band.measure(peeled.active, 8.0);
+  GeodesicBand band(peeled.state, *peeled.limits);
+  band.measure({&peeled.active}, 8.0);
   for (const int v : band.reached()) {
     const Eigen::Vector3d foot = peeled.active.position(peeled.active.at(band.foot(v)));
     const Eigen::Vector3d above = peeled.state.point(v) - foot;

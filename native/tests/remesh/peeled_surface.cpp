@@ -7,6 +7,11 @@
 #include "meshknit/surface/refine.h"
 
 namespace meshknit {
+namespace {
+
+constexpr double row_height = 3.46;
+
+}  // namespace
 
 PeeledSurface::PeeledSurface(const TimedShape& shape, double longest_edge) {
   RefinedMesh fine = refine_mesh(shape.surface.mesh, shape.time, longest_edge);
@@ -16,22 +21,24 @@ PeeledSurface::PeeledSurface(const TimedShape& shape, double longest_edge) {
   state.crossing.assign(state.mesh.n_edges(), 0.5);
   for (const auto e : state.mesh.edges())
     state.edge_length.push_back(state.mesh.calc_edge_length(e));
-  const int a = shape.surface.boundaries[0].vertices[0];
-  const int b = shape.surface.boundaries[1].vertices[0];
-  const bool a_first = state.time[a] < state.time[b];
-  state.knitted = mark_boundary(state.mesh, a_first ? a : b);
-  last = mark_boundary(state.mesh, a_first ? b : a);
+  plan = plan_sweep(state, row_height);
+  limits = std::make_unique<KnitLimits>(plan);
+  limits->open(0);
+  state.knitted.assign(state.mesh.n_vertices(), 0);
+  for (const int v : plan.reeb.events.front().vertices)
+    state.knitted[v] = state.mesh.is_boundary(TriangleMesh::VertexHandle(v));
   active = cycle_beside(state, state.knitted);
 }
 
 void PeeledSurface::peel(int rows, double height) {
-  GeodesicBand band(state);
-  Slicer slicer(state, last);
-  Trimmer trimmer(state, last);
+  GeodesicBand band(state, *limits);
+  Slicer slicer(state, *limits);
+  Trimmer trimmer(state, *limits);
+  const RowLevel level = RowLevel::of_height(height);
   for (int row = 0; row < rows; ++row) {
-    band.measure(active, 1.2 * height);
-    const std::vector<NextCycle> cycles = slicer.slice(band, active, height);
-    active = trimmer.trim(band, active, cycles.front().cycle, height, {});
+    band.measure({&active}, 1.2 * height);
+    const std::vector<NextCycle> cycles = slicer.slice(band, {&active}, level);
+    active = trimmer.trim(band, active, cycles.front().cycle, level, {}).value();
   }
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "meshknit/remesh/front.h"
+#include "meshknit/remesh/geodesic_band.h"
+#include "meshknit/remesh/knit_limits.h"
 #include "shapes.h"
 
 namespace meshknit {
 
-/// A shape that is being peeled by hand: its fine mesh, and the active cycle, which begins just
+/// A tube that is being peeled by hand: its fine mesh, and the active cycle, which begins just
 /// inside the start boundary.
 struct PeeledSurface {
   explicit PeeledSurface(const TimedShape& shape, double longest_edge = 2.8);
@@ -19,7 +21,8 @@ struct PeeledSurface {
 
   PeelState state;
   std::vector<int> source_face;  ///< face -> face of the shape's mesh
-  std::vector<char> last;        ///< vertices of the end boundary
+  SweepPlan plan;
+  std::unique_ptr<KnitLimits> limits;
   Cycle active;
 };
 

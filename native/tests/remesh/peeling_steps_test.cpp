@@ -6,10 +6,10 @@
 #include "meshknit/core/error.h"
 #include "meshknit/remesh/active_cycle.h"
 #include "meshknit/remesh/geodesic_band.h"
-#include "meshknit/remesh/row_heights.h"
 #include "meshknit/remesh/sampling.h"
 #include "meshknit/remesh/slicing.h"
 #include "meshknit/remesh/trimming.h"
+#include "meshknit/remesh/tube_end.h"
 #include "remesh/peeled_surface.h"
 
 namespace meshknit {
@@ -22,11 +22,13 @@ constexpr double row = 3.46;
 const double circumference = 2400.0 * std::sin(3.14159265358979323846 / 40.0);
 
 struct Step {
-  explicit Step(const char* name) : peeled(shape_named(name)), band(peeled.state) {}
+  explicit Step(const char* name)
+      : peeled(shape_named(name)), band(peeled.state, *peeled.limits) {}
   NextCycle slice(double level) {
-    band.measure(peeled.active, 1.2 * level);
-    Slicer slicer(peeled.state, peeled.last);
-    const std::vector<NextCycle> cycles = slicer.slice(band, peeled.active, level);
+    band.measure({&peeled.active}, 1.2 * level);
+    Slicer slicer(peeled.state, *peeled.limits);
+    const std::vector<NextCycle> cycles =
+        slicer.slice(band, {&peeled.active}, RowLevel::of_height(level));
     EXPECT_EQ(cycles.size(), 1u);
     return cycles.front();
   }
@@ -121,11 +123,13 @@ TEST(Trimming, AShortRowCutsOutItsPartAndLeavesATube) {
   step.peeled.peel(2);
   const Cycle active = step.peeled.active;
   const NextCycle next = step.slice(row);
-  Trimmer trimmer(step.peeled.state, step.peeled.last);
+  Trimmer trimmer(step.peeled.state, *step.peeled.limits);
   // A quarter of the way round, between two upright walls.
   const double quarter = 0.25 * active.length();
-  const Cycle cycle = trimmer.trim(step.band, active, next.cycle, row,
-                                   {{10.0, 10.0, 10.0 + quarter, 10.0 + quarter}});
+  const Cycle cycle = trimmer
+                          .trim(step.band, active, next.cycle, RowLevel::of_height(row),
+                                {{10.0, 10.0, 10.0 + quarter, 10.0 + quarter}})
+                          .value();
   EXPECT_GT(trimmer.newly_knitted(), 0);
   EXPECT_EQ(open_characteristic(step.peeled.state), 0);
   // The new cycle climbs a wall of a row's height twice.
@@ -136,25 +140,24 @@ TEST(Trimming, AShortRowCutsOutItsPartAndLeavesATube) {
   EXPECT_NEAR(upper, quarter, row);
 }
 
-TEST(RowHeights, ARowIsTwoCoursesHighUntilTheLastRowsShareTheRest) {
+TEST(TubeEnd, ARowIsTwoCoursesHighUntilTheLastRowsShareTheRest) {
   PeeledSurface peeled(shape_named("straight_tube"));
-  std::vector<double> to_end;
-  for (const auto v : peeled.state.mesh.vertices())
-    to_end.push_back(120.0 - peeled.state.point(v.idx()).z());
-  const RowHeights heights(to_end, row);
-  const RowHeights::Next first = heights.next(peeled.state, peeled.active);
-  EXPECT_DOUBLE_EQ(first.height, row);
-  EXPECT_FALSE(first.last);
+  const auto rest = [&] {
+    return rest_of_tube(peeled.state, peeled.plan, 0, peeled.active, row);
+  };
+  EXPECT_DOUBLE_EQ(rest().height, row);
+  EXPECT_FALSE(rest().near);
 
   // 28 rows end at 96.88 mm: the remaining 23.12 mm are 6.68 rows, so seven of 3.30 mm.
   peeled.peel(28);
-  const RowHeights::Next shared = heights.next(peeled.state, peeled.active);
-  EXPECT_NEAR(shared.height, 23.12 / 7.0, 0.01);
-  EXPECT_FALSE(shared.last);
+  const RestOfTube shared = rest();
+  EXPECT_NEAR(shared.height, 23.12 / 7.0, 0.05);
+  EXPECT_EQ(shared.rows, 7);
   peeled.peel(5, shared.height);
-  EXPECT_FALSE(heights.next(peeled.state, peeled.active).last) << "two more to go";
+  EXPECT_EQ(rest().rows, 2);
+  EXPECT_TRUE(rest().near);
   peeled.peel(1, shared.height);
-  EXPECT_TRUE(heights.next(peeled.state, peeled.active).last);
+  EXPECT_EQ(rest().rows, 1);
 }
 
 // The active cycle of a tube with this many nodes spread evenly on it.
@@ -209,11 +212,11 @@ TEST(Sampling, ATubesNextRowStandsOnTheNodesBelow) {
   std::vector<int> scratch(step.peeled.state.mesh.n_edges(), -1);
   place_nodes(active, scratch);
   const NextCycle next = step.slice(row);
-  const std::vector<double> images = images_on_next(active, next);
-  const std::vector<double> places = sample_next_row(active, next, images, 3.66);
+  const std::vector<NodeImage> images = images_on_next(active, 0, next);
+  const std::vector<double> places = sample_next_row(active, next, images, 3.66, 4);
   ASSERT_EQ(places.size(), 51u);
-  for (const double image : images) {
-    const Eigen::Vector3d above = next.cycle.position(next.cycle.at(image));
+  for (const NodeImage& image : images) {
+    const Eigen::Vector3d above = next.cycle.position(next.cycle.at(image.place));
     double nearest = 1e9;
     for (const double place : places)
       nearest = std::min(nearest, (next.cycle.position(next.cycle.at(place)) - above).norm());
@@ -228,10 +231,11 @@ TEST(Sampling, AVeryDifferentRowIsHeldToWhatCanBeLinked) {
   std::vector<int> scratch(step.peeled.state.mesh.n_edges(), -1);
   place_nodes(active, scratch);
   const NextCycle next = step.slice(row);
-  const std::vector<double> images = images_on_next(active, next);
-  EXPECT_EQ(sample_next_row(active, next, images, 3.66).size(), 40u) << "51 wanted, 2 a node";
+  const std::vector<NodeImage> images = images_on_next(active, 0, next);
+  EXPECT_EQ(sample_next_row(active, next, images, 3.66, 4).size(), 40u)
+      << "51 wanted, 2 a node";
   for (ActiveNode& node : active.nodes) node.single = true;
-  EXPECT_EQ(sample_next_row(active, next, images, 3.66).size(), 20u) << "singles take one";
+  EXPECT_EQ(sample_next_row(active, next, images, 3.66, 4).size(), 20u) << "singles take one";
 }
 
 }  // namespace

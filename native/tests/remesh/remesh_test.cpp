@@ -217,29 +217,6 @@ TEST(Remesh, StopsWhenCancelled) {
   EXPECT_EQ(run.progress(), 0.0) << "before any work was done";
 }
 
-// The code of the first problem that remeshing refuses a surface with.
-std::string refusal(const Surface& surface) {
-  try {
-    remesh(surface, std::vector<double>(surface.mesh.n_vertices(), 0.0));
-  } catch (const NotKnittable& refused) {
-    return refused.problems().front().code;
-  }
-  return "";
-}
-
-TEST(Remesh, RefusesWhatIsNotOneTube) {
-  const MeshArrays torus = closed_torus();
-  const MeshArrays holed_torus = without_quads(torus, {0, 100});
-  EXPECT_EQ(refusal(make_surface(holed_torus.vertices, holed_torus.faces, {0.5, 3})),
-            "needs-one-tube")
-      << "two rims but a handle";
-  const MeshArrays trousers = without_quads(tube(), {100});
-  EXPECT_EQ(refusal(make_surface(trousers.vertices, trousers.faces, {0.5, 3})),
-            "needs-one-tube")
-      << "three rims";
-  EXPECT_EQ(refusal(make_surface(torus.vertices, torus.faces)), "needs-one-tube") << "no rim";
-}
-
 TEST(Remesh, RefusesArgumentsThatMakeNoSense) {
   const TimedShape shape = shape_named("straight_tube", 0.5);
   EXPECT_THROW(remesh(shape.surface, {0.0, 1.0}), InvalidInput);

@@ -1,17 +1,24 @@
-#include "meshknit/remesh/distance_to_end.h"
+#include "meshknit/remesh/fast_marching.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "remesh/peeled_surface.h"
 
 namespace meshknit {
 namespace {
 
-TEST(DistanceToEnd, IsTheHeightThatIsLeftOfAStraightTube) {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(FastMarching, FindsTheHeightThatIsLeftOfAStraightTube) {
   const PeeledSurface peeled(shape_named("straight_tube"));
-  const std::vector<double> distance = distance_to(peeled.state, peeled.last, 40.0);
+  std::vector<MarchSeed> rim;
+  for (const int v : peeled.plan.reeb.events.back().vertices) rim.push_back({v, 0.0});
+  std::vector<double> distance(peeled.state.mesh.n_vertices(), infinity);
+  march(
+      peeled.state, rim, 40.0, [](int) { return true; }, distance);
   for (const auto v : peeled.state.mesh.vertices()) {
     const double left = 120.0 - peeled.state.point(v.idx()).z();
     if (left > 41.0) {
@@ -23,7 +30,7 @@ TEST(DistanceToEnd, IsTheHeightThatIsLeftOfAStraightTube) {
 }
 
 // Triangles far longer than high once made the march go round for ever.
-TEST(DistanceToEnd, EndsOnVeryObtuseTriangles) {
+TEST(FastMarching, EndsOnVeryObtuseTriangles) {
   PeelState state;
   for (int row = 0; row < 6; ++row)
     for (int i = 0; i < 12; ++i) state.mesh.add_vertex({10.0 * i + 37.0 * row, 1.0 * row, 0.0});
@@ -35,9 +42,12 @@ TEST(DistanceToEnd, EndsOnVeryObtuseTriangles) {
     }
   for (const auto e : state.mesh.edges())
     state.edge_length.push_back(state.mesh.calc_edge_length(e));
-  std::vector<char> marked(72, 0);
-  for (int i = 0; i < 12; ++i) marked[i] = 1;
-  for (const double d : distance_to(state, marked, 1e6)) EXPECT_TRUE(std::isfinite(d));
+  std::vector<MarchSeed> seeds;
+  for (int i = 0; i < 12; ++i) seeds.push_back({i, 0.0});
+  std::vector<double> distance(72, infinity);
+  march(
+      state, seeds, 1e6, [](int) { return true; }, distance);
+  for (const double d : distance) EXPECT_TRUE(std::isfinite(d));
 }
 
 }  // namespace
