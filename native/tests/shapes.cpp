@@ -116,7 +116,7 @@ const std::vector<NamedShape>& more_shapes() {
 std::vector<std::string> shape_names() {
   std::vector<std::string> names;
   for (const std::string& name : example_shape_names())
-    if (example_shape(name).times.size() == 2) names.push_back(name);
+    if (name != "ring_torus" && example_shape(name).times.size() == 2) names.push_back(name);
   for (const NamedShape& shape : more_shapes()) names.push_back(shape.name);
   return names;
 }
@@ -136,6 +136,40 @@ std::vector<TimeConstraint> time_constraints(const Surface& surface,
         {surface.boundaries[nearest_boundary(surface, mark.boundary_near)].vertices,
          mark.time});
   return constraints;
+}
+
+ExampleShape opened(ExampleShape shape) {
+  const auto inside = [&](Eigen::Index face) {
+    return std::any_of(
+        shape.openings.begin(), shape.openings.end(), [&](const OpeningMark& opening) {
+          for (int k = 0; k < 3; ++k)
+            if ((shape.vertices.row(shape.faces(face, k)).transpose() - opening.at).norm() >
+                opening.radius)
+              return false;
+          return true;
+        });
+  };
+  Eigen::Index kept = 0;
+  for (Eigen::Index f = 0; f < shape.faces.rows(); ++f)
+    if (!inside(f)) shape.faces.row(kept++) = shape.faces.row(f);
+  shape.faces.conservativeResize(kept, 3);
+  std::vector<int> place(shape.vertices.rows(), -1);
+  int used = 0;
+  VertexArray vertices = shape.vertices;
+  for (Eigen::Index f = 0; f < kept; ++f)
+    for (int k = 0; k < 3; ++k) {
+      int& v = shape.faces(f, k);
+      if (place[v] < 0) {
+        vertices.row(used) = shape.vertices.row(v);
+        place[v] = used++;
+      }
+      v = place[v];
+    }
+  shape.vertices = vertices.topRows(used);
+  for (TimeMark& mark : shape.times)
+    if (mark.opening >= 0) mark = {mark.time, shape.openings[mark.opening].at};
+  shape.openings.clear();
+  return shape;
 }
 
 TimedShape timed(const ExampleShape& shape) {
