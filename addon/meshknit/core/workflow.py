@@ -90,7 +90,7 @@ def run_stages(library, model, settings, until, context, known=None):
         outcome.status = "failed"
         outcome.message = describe(outcome.problems)
     except library.NotKnittable as error:
-        outcome.problems += [named_for_user(model, p) for p in error.problems]
+        outcome.problems += [_for_user(outcome, model, p) for p in error.problems]
         outcome.status = "failed"
         outcome.message = describe(outcome.problems) or str(error)
     except library.Cancelled:
