@@ -139,35 +139,14 @@ std::vector<TimeConstraint> time_constraints(const Surface& surface,
 }
 
 ExampleShape opened(ExampleShape shape) {
-  const auto inside = [&](Eigen::Index face) {
-    return std::any_of(
-        shape.openings.begin(), shape.openings.end(), [&](const OpeningMark& opening) {
-          for (int k = 0; k < 3; ++k)
-            if ((shape.vertices.row(shape.faces(face, k)).transpose() - opening.at).norm() >
-                opening.radius)
-              return false;
-          return true;
-        });
-  };
-  Eigen::Index kept = 0;
-  for (Eigen::Index f = 0; f < shape.faces.rows(); ++f)
-    if (!inside(f)) shape.faces.row(kept++) = shape.faces.row(f);
-  shape.faces.conservativeResize(kept, 3);
-  std::vector<int> place(shape.vertices.rows(), -1);
-  int used = 0;
-  VertexArray vertices = shape.vertices;
-  for (Eigen::Index f = 0; f < kept; ++f)
-    for (int k = 0; k < 3; ++k) {
-      int& v = shape.faces(f, k);
-      if (place[v] < 0) {
-        vertices.row(used) = shape.vertices.row(v);
-        place[v] = used++;
-      }
-      v = place[v];
-    }
-  shape.vertices = vertices.topRows(used);
+  CutSurface cut = cut_openings(shape.vertices, shape.faces, {}, shape.openings);
+  if (has_errors(cut.problems)) throw NotKnittable(cut.problems);
+  shape.vertices = std::move(cut.vertices);
+  shape.faces = std::move(cut.faces);
   for (TimeMark& mark : shape.times)
-    if (mark.opening >= 0) mark = {mark.time, shape.openings[mark.opening].at};
+    if (mark.opening >= 0)
+      mark = {mark.time,
+              shape.vertices.row(cut.openings[mark.opening].rim.front()).transpose()};
   shape.openings.clear();
   return shape;
 }
