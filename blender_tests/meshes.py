@@ -20,6 +20,26 @@ def tube(radius=30.0, length=60.0, around=24, along=6):
     return np.array(vertices), polygons
 
 
+def ball(radius=50.0, around=24, along=12):
+    """A closed ball of quads, with a fan of triangles round each pole."""
+    vertices = [(0.0, 0.0, -radius)]
+    for i in range(1, along):
+        up = math.pi * i / along
+        ring, height = radius * math.sin(up), -radius * math.cos(up)
+        turns = (2.0 * math.pi * j / around for j in range(around))
+        vertices += [(ring * math.cos(a), ring * math.sin(a), height) for a in turns]
+    vertices.append((0.0, 0.0, radius))
+    top, polygons = len(vertices) - 1, []
+    for j in range(around):
+        k = (j + 1) % around
+        polygons.append([0, 1 + k, 1 + j])
+        for i in range(along - 2):
+            a, b = 1 + i * around + j, 1 + i * around + k
+            polygons.append([a, b, b + around, a + around])
+        polygons.append([top - around + j, top - around + k, top])
+    return np.array(vertices), polygons
+
+
 def disk(radius=40.0, around=24):
     """One boundary only."""
     vertices, polygons = tube(radius, 0.0, around, 1)

@@ -15,10 +15,10 @@ from .core.batch_options import parse_options
 from .core.errors import UsageError
 from .core.files import graph_text, report_text, stitches_text, write_whole
 from .core.machines import make_profile, read_machine
-from .core.marks import read_marks, resolve_marks, with_constraint_names
+from .core.marks import read_marks, resolve_marks, resolve_openings
 from .core.mesh_files import read_mesh_file
 from .core.report import build_report
-from .core.workflow import describe, run_stages
+from .core.workflow import run_stages
 from .scene.read_model import read_model
 from .scene.settings_io import read_settings
 from .scene.shapes import add_object, make_mesh
@@ -63,14 +63,17 @@ def run(options):
     with _progress(library, options.quiet) as run_context:
         known = {}
         if marks is not None:
-            model = replace(model, constraints=(), own_time=None)
+            openings = resolve_openings(marks, model.scale)
+            model = replace(
+                model, constraints=(), own_time=None, openings=openings, face_marks=None
+            )
             first = run_stages(library, model, settings, "check", run_context)
             if first.ok:
-                surface = first.results["check"].value
+                surface = first.results["check"].value.surface
                 model = replace(model, constraints=resolve_marks(marks, surface, model.scale))
             known = first.results
         outcome = run_stages(library, model, settings, options.until, run_context, known)
-    _add_advice(outcome, model)
+    _add_advice(outcome)
     report = build_report(library, model, settings, outcome)
     write_files(options, outcome, report)
     return model, outcome, report
@@ -84,11 +87,8 @@ def _read_model(options):
     return read_model(ob, depsgraph, context.scene, options.scale, options.size)
 
 
-def _add_advice(outcome, model):
-    """What the stages cannot know: which marks gave the times, and which options help."""
-    outcome.problems = [with_constraint_names(p, model.constraints) for p in outcome.problems]
-    if outcome.status == "failed":
-        outcome.message = describe(outcome.problems) or outcome.message
+def _add_advice(outcome):
+    """What the stages cannot know: which options help."""
     if any(p["code"] == "too-many-stitches" for p in outcome.problems):
         outcome.message += " Say how large it is with --scale or --size."
 

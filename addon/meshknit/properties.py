@@ -1,4 +1,4 @@
-"""What is stored in the scene (gauge, machine, display) and on a mesh (constraints, size)."""
+"""What is stored in the scene (gauge, machine, display) and on a mesh (constraints, openings, size)."""
 
 import bpy
 from bpy.props import (
@@ -6,6 +6,7 @@ from bpy.props import (
     CollectionProperty,
     EnumProperty,
     FloatProperty,
+    FloatVectorProperty,
     IntProperty,
     PointerProperty,
     StringProperty,
@@ -40,9 +41,50 @@ class MESHKNIT_PG_constraint(bpy.types.PropertyGroup):
     )
 
 
+class MESHKNIT_PG_opening(bpy.types.PropertyGroup):
+    """An entry of the list of openings: the faces whose knit_opening is its number, or, with the
+    number 0, the surface within a radius of a place. Lengths are those of the object's own space,
+    so the opening grows with the object."""
+
+    number: IntProperty(name="Number", min=0, options={"HIDDEN"}, update=_touched)
+    location: FloatVectorProperty(
+        name="Place",
+        description="A point on or near the surface, in the object's own space",
+        subtype="TRANSLATION",
+        size=3,
+        update=_touched,
+    )
+    radius: FloatProperty(
+        name="Radius",
+        description="How far the opening reaches, measured along the surface",
+        subtype="DISTANCE",
+        default=0.01,
+        min=0.0,
+        precision=4,
+        update=_touched,
+    )
+    has_time: BoolProperty(
+        name="Knit at a time",
+        description="The rim is knit at the time beside this; off: a constraint says when",
+        default=True,
+        update=_touched,
+    )
+    time: FloatProperty(
+        name="Time",
+        description="When the rim is knit: -1 is first, 1 is last",
+        min=-1.0,
+        max=1.0,
+        step=10,
+        precision=3,
+        update=_touched,
+    )
+
+
 class MESHKNIT_PG_mesh(bpy.types.PropertyGroup):
     constraints: CollectionProperty(type=MESHKNIT_PG_constraint)
     active: IntProperty(name="Active constraint", options={"HIDDEN"})
+    openings: CollectionProperty(type=MESHKNIT_PG_opening)
+    active_opening: IntProperty(name="Active opening", options={"HIDDEN"})
     time_source: EnumProperty(
         name="Time from",
         description="Where the knitting time of each vertex comes from",
@@ -127,7 +169,7 @@ class MESHKNIT_PG_scene(bpy.types.PropertyGroup):
     )
 
 
-CLASSES = (MESHKNIT_PG_constraint, MESHKNIT_PG_mesh, MESHKNIT_PG_scene)
+CLASSES = (MESHKNIT_PG_constraint, MESHKNIT_PG_opening, MESHKNIT_PG_mesh, MESHKNIT_PG_scene)
 
 
 def register():

@@ -12,7 +12,7 @@ from meshknit.core.marks import (
     parse_points,
     read_marks,
     resolve_marks,
-    with_constraint_names,
+    resolve_openings,
 )
 
 GOOD = meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 1)))
@@ -48,6 +48,26 @@ def test_points_become_a_chain():
     assert chain.vertices == (2, 6, 99) and chain.time == 0.2
 
 
+BALL = [{"at": [0, 0, -0.05], "radius": 0.02}, {"at": [0, 0, 0.05], "radius": 0.03}]
+
+
+def test_openings_take_their_times_and_units_from_the_file():
+    data = {**GOOD, "openings": BALL}
+    data["times"] = [{"time": 1.0, "opening": 1}, {"time": -1.0, "opening": 0}]
+    marks = parse_marks(data)
+    assert marks.times == ()
+    first, second = resolve_openings(marks, scale=1000.0)
+    assert (first.name, first.time, second.time) == ("openings[0]", -1.0, 1.0)
+    assert first.at == pytest.approx((0, 0, -50)) and second.radius == pytest.approx(30)
+    in_millimetres = parse_marks({**data, "units": "mm"})
+    assert resolve_openings(in_millimetres, 1000.0)[0].at == (0, 0, -0.05)
+
+
+def test_an_opening_may_be_left_without_a_time():
+    data = {**GOOD, "openings": BALL, "times": [{"time": 1.0, "opening": 1}]}
+    assert [o.time for o in parse_marks(data).openings] == [None, 1.0]
+
+
 def changed(**changes):
     return {**GOOD, **changes}
 
@@ -60,7 +80,7 @@ def changed(**changes):
         (changed(units="inch"), "units"),
         (changed(times=[]), "at least one time"),
         (changed(times=[{"boundary_near": [0, 0, 0]}]), r"times\[0\].*time"),
-        (changed(times=[{"time": 0.1}]), "either"),
+        (changed(times=[{"time": 0.1}]), "one of"),
         (changed(times=[{"time": 0.1, "boundary_near": [0, 0]}]), "three numbers"),
         (changed(times=[{"time": 0.1, "points": []}]), "at least one point"),
         (changed(times=[{"time": True, "boundary_near": [0, 0, 0]}]), "number"),
@@ -71,7 +91,22 @@ def changed(**changes):
         (changed(times=[{"time": 0, "boundary_near": [0, 0, 10**400]}]), "three numbers"),
         (changed(times=[{"time": 0, "boundary_near": [0, 0, math.inf]}]), "three numbers"),
         (changed(times=[*GOOD["times"], {"time": 1.5, "points": [[0, 0, 0]]}]), r"times\[2\].*1.5"),
-        (changed(openings=[{"at": [0, 0, 0], "radius": 8.0}]), "not supported yet"),
+        (changed(openings={"at": [0, 0, 0], "radius": 8.0}), "must be a list"),
+        (changed(openings=[{"at": [0, 0, 0]}]), r"openings\[0\].*radius"),
+        (changed(openings=[BALL[0], {"at": [0, 0], "radius": 8.0}]), r"openings\[1\].*three"),
+        (changed(openings=[{"at": [0, 0, 0], "radius": 0.0}]), r"openings\[0\].*above 0"),
+        (changed(openings=[{"at": [0, 0, 0], "radius": math.nan}]), r"openings\[0\].*radius"),
+        (changed(times=[{"time": 0, "opening": 0}]), r"times\[0\].*count from 0"),
+        (changed(openings=BALL, times=[{"time": 0, "opening": -1}]), "count from 0"),
+        (changed(openings=BALL, times=[{"time": 0, "opening": True}]), "count from 0"),
+        (
+            changed(openings=BALL, times=[{"time": t, "opening": 1} for t in (0.0, 0.5)]),
+            r"times\[1\].*openings\[1\].*another time",
+        ),
+        (
+            changed(openings=BALL, times=[{"time": 0, "opening": 0, "points": [[0, 0, 0]]}]),
+            "one of",
+        ),
     ],
 )
 def test_wrong_marks_are_refused_with_the_place(data, reason):
@@ -93,18 +128,3 @@ def test_json_nested_too_deep_is_refused(tmp_path):
         read_marks(tmp_path / "marks.json")
     with pytest.raises(UsageError, match="points"):
         parse_points("[" * 100000)
-
-
-def test_a_boundary_with_two_times_names_the_marks_that_give_them():
-    data = meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 60)), (0.5, (0, 0, 50)))
-    constraints = resolve_marks(parse_marks(data), TubeSurface(), 1.0)
-    problem = {
-        "code": "boundary-with-two-times",
-        "message": "The boundary has more than one time.",
-        "elements": {"boundaries": [1], "vertices": [4, 5, 6, 7]},
-    }
-    named = with_constraint_names(problem, constraints)
-    assert "times[1] (1), times[2] (0.5)" in named["message"]
-    assert "times[0]" not in named["message"]
-    other = {**problem, "code": "contradictory-times"}
-    assert with_constraint_names(other, constraints) == other

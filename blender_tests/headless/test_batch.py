@@ -10,6 +10,7 @@ import pytest
 
 import meshes
 from meshknit import headless
+from objects import add_mesh
 
 BATCH = Path(__file__).resolve().parents[2] / "addon" / "meshknit" / "batch.py"
 TUBE_MARKS = meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 60)))
@@ -171,7 +172,7 @@ def test_a_machine_that_is_too_narrow_says_how_far_to_scale(tube, tube_marks, wr
         (["--input", "{folder}/noise.obj"], "noise.obj"),
         (["--input", "{folder}/noise.blend"], "noise.blend"),
         (["--input", "{folder}/tube.obj", "--marks", "{folder}/noise.obj"], "marks"),
-        (["--input", "{folder}/tube.obj", "--marks", "{folder}/openings.json"], "not supported"),
+        (["--input", "{folder}/tube.obj", "--marks", "{folder}/openings.json"], "openings[0]"),
         (["--input", "{folder}/tube.obj", "--auto"], "not supported yet"),
         (["--input", "{folder}/tube.obj", "--kcode", "x.kc"], "not supported yet"),
         (["--input", "{folder}/tube.obj", "--machine", "kniterate"], "not supported yet"),
@@ -189,10 +190,52 @@ def test_wrong_usage_ends_with_2_and_one_line(options, words, tube, write, tmp_p
     write("typo.json", {"based_on": "shima_swg091n2", "nedles": 40})
     write("five.json", {**TUBE_MARKS, "times": 5})
     write("one.json", {"based_on": "shima_swg091n2", "needles": 1})
-    write("openings.json", {**TUBE_MARKS, "openings": [{"at": [0, 0, 0], "radius": 8.0}]})
+    write("openings.json", {**TUBE_MARKS, "openings": [{"at": [0, 0, 0], "radius": 0.0}]})
     done = batch(*[option.format(folder=tmp_path) for option in options])
     assert done.returncode == 2
     assert words in reason(done)
+
+
+BALL_MARKS = {
+    "format": "meshknit-marks-1",
+    "units": "mm",
+    "openings": [{"at": [0, 0, -50], "radius": 20.0}, {"at": [0, 0, 50], "radius": 15.0}],
+    "times": [{"time": -1.0, "opening": 0}, {"time": 1.0, "opening": 1}],
+}
+
+
+def test_a_closed_ball_is_knit_by_openings_of_a_marks_file(write, tmp_path):
+    ball = write("ball.obj", meshes.obj_text(*meshes.ball()))
+    options = ("--input", ball, "--scale", 1, "--report", tmp_path / "r.json")
+    done = batch(
+        *options, "--marks", write("m.json", BALL_MARKS), "--output", tmp_path / "ball.k"
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert report["check"]["ok"] and report["mesh"]["boundaries"] == 2
+    assert [o["time"] for o in report["openings"]] == [-1.0, 1.0]
+    assert [o["radius"] for o in report["openings"]] == [20.0, 15.0]
+    assert ";!source: stitch 0" in (tmp_path / "ball.k").read_text()
+    small = {
+        **BALL_MARKS,
+        "openings": [{"at": [0, 0, -50], "radius": 2.0}, BALL_MARKS["openings"][1]],
+    }
+    done = batch(*options, "--marks", write("small.json", small))
+    assert done.returncode == 1 and "at least" in reason(done)
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert report["ok"] is False and report["problems"][0]["code"] == "opening-too-small"
+
+
+def test_a_marks_file_replaces_the_openings_of_the_scene(write, tmp_path):
+    add_mesh(*meshes.ball())
+    bpy.ops.meshknit.add_opening(location=(0.05, 0, 0), radius=20.0)
+    scene = tmp_path / "scene.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(scene))
+    report = tmp_path / "r.json"
+    options = ("--until", "time", "--report", report)
+    assert batch(*options, "--marks", write("m.json", BALL_MARKS), scene=scene).returncode == 0
+    assert len(json.loads(report.read_text())["openings"]) == 2
+    assert batch(*options, scene=scene).returncode == 1  # one opening only
 
 
 def test_huge_coordinates_end_with_one_line_and_a_report(write, tmp_path):

@@ -1,5 +1,7 @@
 """Add > Mesh > Knit: every example comes with what it takes to knit it."""
 
+from collections import Counter
+
 import bpy
 import pytest
 
@@ -20,6 +22,8 @@ RIMS = {
     "two_way_merge": (2, 1),
     "three_way_merge": (3, 1),
     "trousers": (1, 2),
+    "mitten": (1, 1),
+    "ring_torus": (1, 1),
 }
 
 
@@ -37,6 +41,7 @@ def test_an_added_shape_has_a_time_on_every_rim(name):
         edges, edge_chains.boundary_edges(edges, polygon_edges(mesh))
     )
     assert len(rims) == len(times(bpy.context.object))
+    assert all(opening.has_time for opening in mesh.meshknit.openings)
     assert not constraints.loops_without_constraint(mesh)
     assert KNIT.solve_time() == {"FINISHED"}
     field = session().report["time_field"]
@@ -54,3 +59,17 @@ def test_the_rims_of_an_example_have_names_that_tell_them_apart():
     KNIT.add_trousers()
     entries = bpy.context.object.data.meshknit.constraints
     assert [entry.name for entry in entries] == ["Start", "End 1", "End 2"]
+
+
+def test_the_teddy_is_closed_and_opens_at_feet_hands_and_ears():
+    KNIT.add_teddy()
+    mesh = bpy.context.object.data
+    edges = edge_vertices(mesh)
+    assert not len(edge_chains.boundary_edges(edges, polygon_edges(mesh)))
+    assert Counter(round(o.time, 4) for o in mesh.meshknit.openings) == {-1.0: 2, 0.7: 2, 1.0: 2}
+    KNIT.solve_time()
+    report = session().report
+    # Every rim holds at least six stitches of 3.66 mm.
+    assert all(opening["rim"] > 6 * 3.66 for opening in report["openings"])
+    # 2 g - 2 + b of a sphere with six openings.
+    assert report["time_field"]["saddles"] == 4

@@ -175,16 +175,6 @@ def test_a_boundary_without_a_time_is_shown_whole():
     assert {v.index for v in ob.data.vertices if v.select} == set(range(144, 168))
 
 
-def test_openings_are_refused_with_their_faces(tube):
-    tube.data.attributes.new("knit_opening", "INT", "FACE")
-    tube.data.attributes["knit_opening"].data[7].value = 1
-    with pytest.raises(RuntimeError, match="opening"):
-        KNIT.build_graph()
-    (problem,) = session().problems
-    assert problem["code"] == "openings-not-supported"
-    assert problem["elements"]["faces"] == [7]
-
-
 def test_write_says_where_it_cannot_write(tube, tmp_path):
     with pytest.raises(RuntimeError, match="cannot write"):
         KNIT.write_knitout(output=str(tmp_path / "no" / "folder" / "x.k"))

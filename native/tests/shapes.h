@@ -32,6 +32,10 @@ inline constexpr double shape_sizes[] = {0.5, 1.0, 2.0};
 /// unknown name.
 ExampleShape arrays_of_shape(const std::string& name, double size = 1.0);
 
+/// The shape with its openings cut; their times go to the rims. Throws: NotKnittable if one cannot
+/// be cut.
+ExampleShape opened(ExampleShape shape);
+
 /// What a shape's marks say about its surface. Requires: a shape without openings.
 std::vector<TimeConstraint> time_constraints(const Surface& surface, const ExampleShape& shape);
 

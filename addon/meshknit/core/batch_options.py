@@ -72,7 +72,7 @@ def _make_parser():
     add("--object", metavar="NAME", help="default: the active object, or the only mesh")
     add("--scale", type=float, metavar="S", help="millimetres per unit of the file")
     add("--size", type=float, metavar="MM", help="length of the finished object's longest side")
-    add("--marks", metavar="FILE", help="time constraints; default: those stored on the object")
+    add("--marks", metavar="FILE", help="openings and times; default: those stored on the object")
     add("--auto", action="store_true", help="choose openings and times without any marks")
     add("--machine", metavar="NAME", default=None, help="a machine profile, or a profile file")
     add("--stitch-width", type=float, metavar="MM", help="default 3.66")

@@ -1,19 +1,20 @@
-"""Marks files (meshknit-marks-1): which places are knit when."""
+"""Marks files (meshknit-marks-1): where the surface is open, and which places are knit when."""
 
 import json
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .errors import UsageError
-from .model import Constraint
+from .model import Constraint, Opening
 
 FORMAT = "meshknit-marks-1"
 
 
 @dataclass(frozen=True)
 class TimeMark:
-    """One entry of `times`: a boundary near a point, or a chain through points."""
+    """An entry of `times` for a boundary near a point, or for a chain through points."""
 
+    name: str
     time: float
     points: tuple
     is_boundary: bool
@@ -23,11 +24,12 @@ class TimeMark:
 @dataclass(frozen=True)
 class Marks:
     in_model_units: bool
-    times: tuple
+    times: tuple  # of TimeMark
+    openings: tuple = ()  # of Opening, in the file's units
 
 
 def read_marks(path):
-    """Throws UsageError for what is not a marks file, and for openings."""
+    """Throws UsageError for what is not a marks file."""
     try:
         with open(path, encoding="utf-8") as file:
             data = json.load(file)
@@ -48,26 +50,56 @@ def parse_marks(data):
     times = data.get("times")
     if not isinstance(times, list) or not times:
         raise UsageError('"times" must list at least one time')
-    if data.get("openings") or any(isinstance(t, dict) and "opening" in t for t in times):
-        raise UsageError("openings are not supported yet")
-    return Marks(units == "model", tuple(_parse_time(i, t) for i, t in enumerate(times)))
+    openings = data.get("openings", [])
+    if not isinstance(openings, list):
+        raise UsageError('"openings" must be a list')
+    openings = [_parse_opening(i, entry) for i, entry in enumerate(openings)]
+    marks = []
+    for index, entry in enumerate(times):
+        where = f"times[{index}]"
+        time = _parse_time(where, entry)
+        if "opening" in entry:
+            _give_time(openings, where, entry["opening"], time)
+        else:
+            marks.append(_parse_place(where, entry, time))
+    return Marks(units == "model", tuple(marks), tuple(openings))
 
 
-def _parse_time(index, entry):
-    where = f"times[{index}]"
+def _parse_opening(index, entry):
+    where = f"openings[{index}]"
+    if not isinstance(entry, dict) or "at" not in entry or not _is_number(entry.get("radius")):
+        raise UsageError(f'{where} must have a point "at" and a number "radius"')
+    if not entry["radius"] > 0.0:
+        raise UsageError(f'{where}: "radius" is {entry["radius"]:g}, it must be above 0')
+    return Opening(where, None, _point(where, entry["at"]), float(entry["radius"]))
+
+
+def _parse_time(where, entry):
     if not isinstance(entry, dict) or not _is_number(entry.get("time")):
         raise UsageError(f'{where} must have a number as its "time"')
     if not -1.0 <= entry["time"] <= 1.0:
         raise UsageError(f'{where}: "time" is {entry["time"]:g}, it must be from -1 to 1')
-    if ("boundary_near" in entry) == ("points" in entry):
-        raise UsageError(f'{where} must have either "boundary_near" or "points"')
+    if sum(kind in entry for kind in ("opening", "boundary_near", "points")) != 1:
+        raise UsageError(f'{where} must have one of "opening", "boundary_near" and "points"')
+    return float(entry["time"])
+
+
+def _give_time(openings, where, index, time):
+    if isinstance(index, bool) or not isinstance(index, int) or not 0 <= index < len(openings):
+        raise UsageError(f'{where}: "opening" must count from 0 in the list "openings"')
+    if openings[index].time not in (None, time):
+        raise UsageError(f"{where}: openings[{index}] has another time already")
+    openings[index] = replace(openings[index], time=time)
+
+
+def _parse_place(where, entry, time):
     if "boundary_near" in entry:
-        return TimeMark(float(entry["time"]), (_point(where, entry["boundary_near"]),), True)
+        return TimeMark(where, time, (_point(where, entry["boundary_near"]),), True)
     points = _points(where, entry["points"])
     closed = entry.get("closed", False)
     if not isinstance(closed, bool):
         raise UsageError(f'{where}: "closed" must be true or false')
-    return TimeMark(float(entry["time"]), points, False, closed)
+    return TimeMark(where, time, points, False, closed)
 
 
 def parse_points(text):
@@ -100,13 +132,23 @@ def _is_number(value):
         return False
 
 
-def resolve_marks(marks, surface, scale):
-    """Marks -> constraints on a checked surface. Requires: the surface has a boundary."""
+def resolve_openings(marks, scale):
+    """The openings of a marks file in millimetres."""
     factor = scale if marks.in_model_units else 1.0
-    return tuple(_resolve(i, m, surface, factor) for i, m in enumerate(marks.times))
+    return tuple(
+        replace(o, at=tuple(x * factor for x in o.at), radius=o.radius * factor)
+        for o in marks.openings
+    )
 
 
-def _resolve(index, mark, surface, factor):
+def resolve_marks(marks, surface, scale):
+    """The times of places -> constraints on a checked surface. Requires: the surface has a
+    boundary."""
+    factor = scale if marks.in_model_units else 1.0
+    return tuple(_resolve(m, surface, factor) for m in marks.times)
+
+
+def _resolve(mark, surface, factor):
     points = [[x * factor for x in point] for point in mark.points]
     if mark.is_boundary:
         loop = surface.boundaries[surface.nearest_boundary(points[0])]
@@ -115,13 +157,4 @@ def _resolve(index, mark, surface, factor):
         vertices = [surface.nearest_vertex(point) for point in points]
         if len(vertices) > 1:
             vertices = surface.edge_path(vertices, mark.closed)
-    return Constraint(f"times[{index}]", tuple(int(v) for v in vertices), mark.time)
-
-
-def with_constraint_names(problem, constraints):
-    """A problem whose message says which constraints give a boundary more than one time."""
-    if problem["code"] != "boundary-with-two-times":
-        return problem
-    boundary = set(problem["elements"]["vertices"])
-    found = [f"{c.name} ({c.time:g})" for c in constraints if boundary.intersection(c.vertices)]
-    return {**problem, "message": f"{problem['message']} They come from {', '.join(found)}."}
+    return Constraint(mark.name, tuple(int(v) for v in vertices), mark.time, on_surface=True)

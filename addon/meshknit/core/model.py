@@ -12,8 +12,20 @@ class Constraint:
     """Vertices that are knit at one time."""
 
     name: str
-    vertices: tuple  # rows of the model's vertices
+    vertices: tuple  # rows of the model's vertices, or of the surface's
     time: float
+    on_surface: bool = False  # rows of the checked surface, from which openings are cut
+
+
+@dataclass(frozen=True)
+class Opening:
+    """An opening and when its rim is knit: a place with a radius, or the faces with a number."""
+
+    name: str
+    time: Optional[float] = None
+    at: Optional[tuple] = None  # mm
+    radius: Optional[float] = None  # mm, along the surface
+    number: int = 0  # of the faces' marks
 
 
 @dataclass(frozen=True)
@@ -26,7 +38,8 @@ class Model:
     face_source: Optional[np.ndarray] = None  # triangle -> polygon of the user's mesh
     constraints: tuple = field(default_factory=tuple)
     own_time: Optional[np.ndarray] = None  # a field of the user's own, instead of constraints
-    openings: tuple = ()  # polygons marked as openings
+    openings: tuple = ()  # of Opening
+    face_marks: Optional[np.ndarray] = None  # (m,) int32, not 0 = left out; None: nothing marked
 
 
 def digest(*parts):
@@ -40,12 +53,3 @@ def digest(*parts):
             state.update(repr(part).encode())
         state.update(b"|")
     return state.hexdigest()
-
-
-def named_for_user(model, problem):
-    """A problem of the triangle mesh with its faces named as the user's polygons."""
-    faces = problem["elements"].get("faces")
-    if model.face_source is None or not faces:
-        return problem
-    polygons = sorted({int(model.face_source[face]) for face in faces})
-    return {**problem, "elements": {**problem["elements"], "faces": polygons}}

@@ -16,7 +16,7 @@ def build_report(library, model, settings, outcome):
     if not outcome.ok:
         report["reason"] = outcome.message
     if "check" in values:
-        surface = values["check"]
+        knit, surface = values["check"], values["check"].surface
         report["mesh"] = {
             "vertices": len(model.vertices),
             "faces": len(model.faces),
@@ -26,7 +26,7 @@ def build_report(library, model, settings, outcome):
             "area": surface.area,
             "scale": model.scale,
         }
-        report["openings"] = []
+        report["openings"] = [_opening(model, settings, rim) for rim in knit.rims]
     if "time" in values:
         check = values["time"][1]
         report["time_field"] = {
@@ -47,6 +47,16 @@ def build_report(library, model, settings, outcome):
     if peak is not None:
         report["peak_mb"] = peak
     return report
+
+
+def _opening(model, settings, rim):
+    """What was cut: where (mm), its rim, and when that is knit (None: nothing says)."""
+    entry = {"name": rim.name(model), "rim": rim.length, "time": rim.time(model)}
+    entry["stitches"] = round(rim.length / settings.stitch_width)
+    if rim.faces:
+        return {**entry, "faces": list(rim.faces)}
+    opening = model.openings[rim.opening]
+    return {**entry, "at": list(opening.at), "radius": opening.radius}
 
 
 def peak_megabytes():

@@ -9,7 +9,8 @@ from dataclasses import dataclass, field
 from ..names import STAGES
 from .errors import UsageError
 from .machines import make_profile
-from .model import digest, named_for_user
+from .knit_surface import check_surface
+from .model import digest
 
 # Where each stage ends on the progress bar of a whole run.
 ENDS = {"check": 0.03, "time": 0.08, "graph": 0.5, "trace": 0.55, "schedule": 0.8, "emit": 1.0}
@@ -54,10 +55,13 @@ def stage_keys(model, settings):
     """The key of every stage's result for this model with these settings."""
     # Problems name the user's polygons, and what is drawn is in units of the scene.
     named = (model.face_source, model.scale)
-    check = digest("check", model.vertices, model.faces, *named, settings.stitch_width)
-    marks = [(c.vertices, c.time) for c in model.constraints]
+    cuts = [(o.at, o.radius, o.number) for o in model.openings]
+    check = digest(
+        "check", model.vertices, model.faces, *named, settings.stitch_width, cuts, model.face_marks
+    )
+    marks = [(c.vertices, c.time, c.on_surface) for c in model.constraints]
     own = model.own_time if model.own_time is not None else marks
-    field_key = digest("time", check, own, model.openings)
+    field_key = digest("time", check, own, [o.time for o in model.openings])
     graph = digest("graph", field_key, settings.stitch_width, settings.stitch_height)
     trace = digest("trace", graph)
     schedule = digest("schedule", trace, settings.machine)
@@ -86,7 +90,7 @@ def run_stages(library, model, settings, until, context, known=None):
         outcome.status = "failed"
         outcome.message = describe(outcome.problems)
     except library.NotKnittable as error:
-        outcome.problems += [named_for_user(model, p) for p in error.problems]
+        outcome.problems += [_for_user(outcome, model, p) for p in error.problems]
         outcome.status = "failed"
         outcome.message = describe(outcome.problems) or str(error)
     except library.Cancelled:
@@ -118,33 +122,66 @@ def _run_stage(library, stage, model, settings, outcome, context):
     began = time.perf_counter()
     value, problems = _RUN[stage](library, model, settings, before, context)
     seconds = time.perf_counter() - began
-    named = tuple(named_for_user(model, p) for p in problems)
-    return StageResult(outcome.keys[stage], value, seconds, named, model.scale)
+    if stage != "check":
+        problems = [_for_user(outcome, model, p) for p in problems]
+    return StageResult(outcome.keys[stage], value, seconds, tuple(problems), model.scale)
+
+
+def _for_user(outcome, model, problem):
+    """A problem of a later stage in words and elements of the user's."""
+    knit = outcome.results["check"].value
+    problem = with_sources(problem, _times(knit, model))
+    return knit.for_user(model, knit.with_rim_names(model, problem))
+
+
+def with_sources(problem, times):
+    """A problem whose message says what gives a boundary more than one time. `times` lists
+    (name, rows of the surface, time)."""
+    if problem["code"] != "boundary-with-two-times":
+        return problem
+    boundary = set(problem["elements"]["vertices"])
+    found = [f"{name} ({time:g})" for name, rows, time in times if boundary.intersection(rows)]
+    return {**problem, "message": f"{problem['message']} They come from {', '.join(found)}."}
+
+
+def _times(knit, model):
+    """Everything that gives a time: (name, rows of the surface, time)."""
+    times = [
+        (c.name, list(c.vertices) if c.on_surface else knit.rows_of(c.vertices), c.time)
+        for c in model.constraints
+    ]
+    rims = [(r.name(model), list(r.vertices), r.time(model)) for r in knit.rims]
+    # A constraint may have lain in an opening altogether.
+    return [entry for entry in times if entry[1]] + [r for r in rims if r[2] is not None]
 
 
 def _check(library, model, settings, before, context):
-    surface = library.Surface(model.vertices, model.faces, settings.stitch_width)
-    return surface, surface.problems
+    knit = check_surface(library, model, settings.stitch_width)
+    return knit, knit.problems
 
 
 def _time(library, model, settings, before, context):
-    """-> (one time per vertex, the field's check)."""
-    surface = before["check"]
-    if model.openings:
-        raise _Failed([_openings_problem(model)])
+    """-> (one time per row of the surface, the field's check)."""
+    knit = before["check"]
     if model.own_time is not None:
-        times, check = model.own_time, library.check_time_field(surface, model.own_time)
+        times = knit.times_of(model)
+        check = library.check_time_field(knit.surface, times)
         if any(p["severity"] == "error" for p in check["problems"]):
-            raise _Failed([named_for_user(model, p) for p in check["problems"]])
+            problems = [knit.with_rim_names(model, p) for p in check["problems"]]
+            raise _Failed([knit.for_user(model, p) for p in problems])
     else:
-        chains = [(list(c.vertices), c.time) for c in model.constraints]
-        times, check = library.solve_time_field(surface, chains)
+        chains = [(rows, time) for _, rows, time in _times(knit, model)]
+        times, check = library.solve_time_field(knit.surface, chains)
     return (times, check), check["problems"]
 
 
 def _graph(library, model, settings, before, context):
     graph = library.build_knit_graph(
-        before["check"], before["time"][0], settings.stitch_width, settings.stitch_height, context
+        before["check"].surface,
+        before["time"][0],
+        settings.stitch_width,
+        settings.stitch_height,
+        context,
     )
     return graph, graph.problems
 
@@ -172,13 +209,3 @@ _RUN = {
     "schedule": _schedule,
     "emit": _emit,
 }
-
-
-def _openings_problem(model):
-    return {
-        "code": "openings-not-supported",
-        "severity": "error",
-        "message": f"{len(model.openings)} faces are marked as an opening: not supported yet.",
-        "remedy": "Delete these faces, or set their attribute knit_opening to 0.",
-        "elements": {"faces": list(model.openings)},
-    }

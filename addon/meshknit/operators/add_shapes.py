@@ -101,6 +101,27 @@ class MESHKNIT_OT_add_trousers(ExampleOperator, bpy.types.Operator):
     bl_label = "Trousers"
 
 
+class MESHKNIT_OT_add_mitten(ExampleOperator, bpy.types.Operator):
+    """Add a mitten, open at cuff, fingertips and thumb"""
+
+    bl_idname = names.OP_ADD_MITTEN
+    bl_label = "Mitten"
+
+
+class MESHKNIT_OT_add_teddy(ExampleOperator, bpy.types.Operator):
+    """Add a closed teddy bear with openings marked on feet, hands and ears"""
+
+    bl_idname = names.OP_ADD_TEDDY
+    bl_label = "Teddy"
+
+
+class MESHKNIT_OT_add_ring_torus(ExampleOperator, bpy.types.Operator):
+    """Add an upright ring with a hole in its skin at the bottom and one at the top"""
+
+    bl_idname = names.OP_ADD_RING_TORUS
+    bl_label = "Ring Torus"
+
+
 class MESHKNIT_OT_add_two_way_split(ExampleOperator, bpy.types.Operator):
     """Add a tube that splits into two"""
 
@@ -135,6 +156,9 @@ CLASSES = (
     MESHKNIT_OT_add_bent_tube,
     MESHKNIT_OT_add_sock,
     MESHKNIT_OT_add_trousers,
+    MESHKNIT_OT_add_mitten,
+    MESHKNIT_OT_add_teddy,
+    MESHKNIT_OT_add_ring_torus,
     MESHKNIT_OT_add_two_way_split,
     MESHKNIT_OT_add_three_way_split,
     MESHKNIT_OT_add_two_way_merge,

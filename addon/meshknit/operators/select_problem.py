@@ -46,16 +46,16 @@ class MESHKNIT_OT_select_problem(bpy.types.Operator):
         """-> how many elements were selected. Throws UsageError."""
         elements = session.problems[self.index]["elements"]
         vertices = list(elements.get("vertices", ()))
-        surface, graph = session.value("check"), session.value("graph")
-        if surface is not None:
-            loops = surface.boundaries
+        model, _ = sessions.read_inputs(context, ob)
+        knit, graph = session.value("check"), session.value("graph")
+        if knit is not None:
+            loops = knit.surface.boundaries
             for boundary in elements.get("boundaries", ()):
-                vertices += [int(v) for v in loops[boundary]["vertices"]]
+                vertices += knit.model_rows(model, loops[boundary]["vertices"])
         nodes = list(elements.get("nodes", ()))
         if session.value("trace") is not None:
             nodes += session.value("trace").nodes[list(elements.get("stitches", ()))].tolist()
         if graph is not None and nodes:
-            model, _ = sessions.read_inputs(context, ob)
             vertices += nearest_vertices(model.vertices, graph.nodes[nodes, :3])
         return select_elements(
             context, ob, vertices, elements.get("edges", ()), elements.get("faces", ())

@@ -104,7 +104,8 @@ class StageOperator:
         if "time" in outcome.results and self._model.own_time is None:
             try:
                 with object_mode(ob):
-                    publish_time(ob, self._model, outcome.results["time"].value[0])
+                    knit, times = (outcome.results[s].value for s in ("check", "time"))
+                    publish_time(ob, self._model, knit.times_for_model(times[0]))
             except UsageError as error:
                 self.report({"WARNING"}, f"The time colours could not be shown: {error}")
         sessions.touch(ob)

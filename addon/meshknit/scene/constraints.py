@@ -87,8 +87,10 @@ def selected_vertices(mesh):
 
 
 def suggested_time(mesh):
-    """For a new boundary: the first is the start, the second the end, more lie between."""
-    times = [entry.time for entry in getattr(mesh, names.PROPERTIES).constraints]
+    """For a new boundary or opening: the first is the start, the second the end, more lie between."""
+    settings = getattr(mesh, names.PROPERTIES)
+    times = [entry.time for entry in settings.constraints]
+    times += [entry.time for entry in settings.openings if entry.has_time]
     if -1.0 not in times:
         return -1.0
     return 1.0 if 1.0 not in times else 0.0

@@ -3,7 +3,7 @@
 import numpy as np
 
 from .. import names
-from ..core.model import Constraint, Model
+from ..core.model import Constraint, Model, Opening
 from .attributes import edge_vertices, positions, read_attribute
 
 
@@ -15,7 +15,7 @@ def read_model(ob, depsgraph, scene, scale=None, size=None):
     try:
         local = positions(mesh)
         if scale is None:
-            scale = _millimetres_per_unit(ob, local, scene, size)
+            scale = millimetres_per_unit(ob, local, scene, size)
         return _read(ob, mesh, local, scale)
     finally:
         evaluated.to_mesh_clear()
@@ -33,7 +33,7 @@ def _read(ob, mesh, local, scale):
         faces = faces[:, ::-1].copy()
     polygon = np.empty(len(faces), np.int32)
     mesh.loop_triangles.foreach_get("polygon_index", polygon)
-    openings = read_attribute(mesh, names.OPENING, "INT", "FACE")
+    numbers = read_attribute(mesh, names.OPENING, "INT", "FACE")
     return Model(
         vertices=vertices,
         faces=faces,
@@ -41,7 +41,8 @@ def _read(ob, mesh, local, scale):
         face_source=polygon,
         constraints=_read_constraints(mesh, settings),
         own_time=_read_own_time(mesh, settings),
-        openings=() if openings is None else tuple(np.flatnonzero(openings).tolist()),
+        openings=_read_openings(settings, matrix, scale),
+        face_marks=numbers[polygon] if numbers is not None and numbers.any() else None,
     )
 
 
@@ -58,6 +59,27 @@ def _read_constraints(mesh, settings):
     return tuple(found)
 
 
+def _read_openings(settings, matrix, scale):
+    """In millimetres. Where the object is scaled unevenly, a radius grows by the mean."""
+    mean = mean_scale(matrix)
+    found = []
+    for entry in settings.openings:
+        time = round(entry.time, 6) if entry.has_time else None
+        if entry.number:
+            found.append(Opening(entry.name, time, number=entry.number))
+            continue
+        at = (matrix[:3, :3] @ np.array(entry.location) + matrix[:3, 3]) * scale
+        # Properties are single precision: rounding gives back what was typed.
+        radius = round(entry.radius * mean * scale, 5)
+        found.append(Opening(entry.name, time, tuple(at.tolist()), radius))
+    return tuple(found)
+
+
+def mean_scale(matrix):
+    """How much longer an object's transform makes things, as the mean of its axes."""
+    return float(abs(np.linalg.det(np.asarray(matrix)[:3, :3])) ** (1.0 / 3.0))
+
+
 def _read_own_time(mesh, settings):
     if settings.time_source != "ATTRIBUTE":
         return None
@@ -65,7 +87,8 @@ def _read_own_time(mesh, settings):
     return np.zeros(len(mesh.vertices)) if times is None else times.astype(np.float64)
 
 
-def _millimetres_per_unit(ob, local, scene, size):
+def millimetres_per_unit(ob, local, scene, size=None):
+    """`local`: the vertices in the object's own space."""
     settings = getattr(ob.data, names.PROPERTIES)
     if size is None and settings.size_mode == "SCALE":
         return settings.scale

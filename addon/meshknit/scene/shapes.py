@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 
 from .. import compat, names
-from . import constraints
+from . import constraints, openings
 
 
 def make_mesh(name, vertices, polygons):
@@ -47,7 +47,15 @@ def add_shape(context, name, shape, location=(0.0, 0.0, 0.0)):
 
 
 def apply_marks(mesh, shape, unit):
-    """Stores an example's times on its mesh, whose unit is `unit` mm: one constraint a boundary."""
+    """Stores an example's openings and times on its mesh, whose unit is `unit` mm."""
+    rim_times = {mark["opening"]: mark["time"] for mark in shape["times"] if "opening" in mark}
+    openings.store_openings(
+        mesh,
+        [
+            (np.asarray(opening["at"]) / unit, opening["radius"] / unit, rim_times.get(index))
+            for index, opening in enumerate(shape["openings"])
+        ],
+    )
     on_boundaries = [mark for mark in shape["times"] if "boundary_near" in mark]
     for mark, label in zip(on_boundaries, _labels([mark["time"] for mark in on_boundaries])):
         loop = constraints.boundary_near(mesh, np.asarray(mark["boundary_near"]) / unit)

@@ -19,9 +19,12 @@ class MESHKNIT_MT_shapes(bpy.types.Menu):
         layout.operator(names.OP_ADD_THREE_WAY_SPLIT, icon="SORT_DESC")
         layout.operator(names.OP_ADD_TWO_WAY_MERGE, icon="SORT_ASC")
         layout.operator(names.OP_ADD_THREE_WAY_MERGE, icon="SORT_ASC")
+        layout.operator(names.OP_ADD_RING_TORUS, icon="MESH_TORUS")
         layout.separator()
         layout.operator(names.OP_ADD_SOCK, icon="MATCLOTH")
         layout.operator(names.OP_ADD_TROUSERS, icon="MATCLOTH")
+        layout.operator(names.OP_ADD_MITTEN, icon="MATCLOTH")
+        layout.operator(names.OP_ADD_TEDDY, icon="MATCLOTH")
 
 
 def draw_entry(self, context):

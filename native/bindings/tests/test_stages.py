@@ -7,7 +7,7 @@ from meshknit import native
 
 library = native.load()
 GAUGES = [(3.66, 1.73), (2.9, 1.5), (5.0, 2.4)]
-TUBES = [n for n in library.example_shape_names() if len(library.example_shape(n)["times"]) == 2]
+TUBES = ("straight_tube", "cone", "bent_tube", "sock")
 PROFILE = library.machine_profile("shima_swg091n2")
 
 
@@ -89,3 +89,16 @@ def test_a_live_field_follows_changed_times():
     field = library.LiveTimeField(surface, chains)
     np.testing.assert_allclose(field.solve([-1.0, 1.0]), time, atol=1e-9)
     np.testing.assert_allclose(field.solve([-0.5, 0.5]), 0.5 * time, atol=1e-9)
+
+
+def test_an_example_says_where_to_open_it_and_when_its_rims_are_knit():
+    shape = library.example_shape("teddy")
+    cut = library.cut_openings(
+        shape["vertices"], shape["faces"], [], [(o["at"], o["radius"]) for o in shape["openings"]]
+    )
+    rims = [cut.openings[mark["opening"]]["rim"] for mark in shape["times"]]
+    surface = library.Surface(cut.vertices, cut.faces)
+    times = [mark["time"] for mark in shape["times"]]
+    _, check = library.solve_time_field(surface, list(zip(rims, times)))
+    # 2 g - 2 + b of a sphere with six openings.
+    assert check["saddles"] == check["expected_saddles"] == 4

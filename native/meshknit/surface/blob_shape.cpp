@@ -49,4 +49,23 @@ BlobMesh mesh_of_blobs(const Blobs& blobs, const std::vector<RimCut>& cuts,
   return to_arrays(mesh);
 }
 
+RimCut end_of(const Limb& limb) {
+  const Eigen::Vector3d& last = limb.back().at;
+  return {last, (last - limb[limb.size() - 2].at).normalized()};
+}
+
+ExampleShape shape_of_blobs(const Blobs& blobs, const std::vector<TimedRim>& rims,
+                            double edge_length) {
+  ExampleShape shape;
+  std::vector<RimCut> cuts;
+  for (const TimedRim& rim : rims) {
+    cuts.push_back(rim.cut);
+    shape.times.push_back({rim.time, rim.cut.at});
+  }
+  BlobMesh mesh = mesh_of_blobs(blobs, cuts, edge_length);
+  shape.vertices = std::move(mesh.vertices);
+  shape.faces = std::move(mesh.faces);
+  return shape;
+}
+
 }  // namespace meshknit

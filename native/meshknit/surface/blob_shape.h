@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "meshknit/surface/blobs.h"
+#include "meshknit/surface/example_shapes.h"
 #include "meshknit/surface/marching_tetrahedra.h"
 #include "meshknit/surface/rim_cuts.h"
 
@@ -14,5 +15,19 @@ namespace meshknit {
 /// positive or far too small for the body.
 /// Ensures: manifold and oriented outward; make_surface finds nothing to mend.
 BlobMesh mesh_of_blobs(const Blobs& blobs, const std::vector<RimCut>& cuts, double edge_length);
+
+/// Where a limb's last piece ends: a flat rim across it, in the middle of its round end.
+/// Requires: at least two stops.
+RimCut end_of(const Limb& limb);
+
+/// A rim and the time when it is knit.
+struct TimedRim {
+  RimCut cut;
+  double time = 0.0;
+};
+
+/// The same mesh as an example, with its rims' times in their order.
+ExampleShape shape_of_blobs(const Blobs& blobs, const std::vector<TimedRim>& rims,
+                            double edge_length);
 
 }  // namespace meshknit

@@ -90,22 +90,23 @@ class Evening {
         (number(to) != number(from) || !mesh_.is_boundary(mesh_.edge_handle(half))))
       return false;
     if (!mesh_.is_collapse_ok(half)) return false;
-    const Vector3d target = mesh_.point(to);
+    const Vector3d target = mesh_.point(to), normal = surface_.normal(target);
     for (const Vertex v : mesh_.vv_range(from))
       if ((mesh_.point(v) - target).norm() > longest_) return false;
     for (const Halfedge out : mesh_.voh_range(from)) {
       if (mesh_.is_boundary(out)) continue;
       const Vertex a = mesh_.to_vertex_handle(out);
       const Vertex b = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(out));
-      if (a != to && b != to && !faces_out(target, mesh_.point(a), mesh_.point(b)))
+      if (a != to && b != to && !faces_out(target, mesh_.point(a), mesh_.point(b), normal))
         return false;
     }
     return true;
   }
 
-  bool faces_out(const Vector3d& a, const Vector3d& b, const Vector3d& c) const {
+  // Whether a triangle faces out, given the surface's normal near it.
+  static bool faces_out(const Vector3d& a, const Vector3d& b, const Vector3d& c,
+                        const Vector3d& out) {
     const Vector3d normal = (b - a).cross(c - a);
-    const Vector3d out = surface_.normal((a + b + c) / 3.0);
     return normal.dot(out) > least_lean * normal.norm();
   }
 
@@ -118,9 +119,9 @@ class Evening {
       const Vector3d b = mesh_.point(mesh_.to_vertex_handle(h));
       const Vector3d c = mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)));
       const Vector3d d = mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(o)));
-      if (angle(c, a, b) + angle(d, a, b) > angle(a, c, d) + angle(b, c, d) + 1e-9 &&
-          faces_out(c, a, d) && faces_out(c, d, b))
-        mesh_.flip(edge);
+      if (angle(c, a, b) + angle(d, a, b) <= angle(a, c, d) + angle(b, c, d) + 1e-9) continue;
+      const Vector3d normal = surface_.normal((a + b) / 2.0);
+      if (faces_out(c, a, d, normal) && faces_out(c, d, b, normal)) mesh_.flip(edge);
     }
   }
 
@@ -147,12 +148,13 @@ class Evening {
       step -= step.dot(normal) * normal;
       const Vector3d moved = surface_.settle(point + step, number(v));
       // A vertex stays where moving it would turn a face over.
+      const Vector3d out_there = surface_.normal(moved);
       bool fine = true;
       for (const Halfedge out : mesh_.voh_range(v)) {
         if (mesh_.is_boundary(out)) continue;
         const Vector3d a = mesh_.point(mesh_.to_vertex_handle(out));
         const Vector3d b = mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(out)));
-        fine = fine && faces_out(moved, a, b);
+        fine = fine && faces_out(moved, a, b, out_there);
       }
       if (fine) mesh_.set_point(v, moved);
     }

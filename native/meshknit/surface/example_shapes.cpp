@@ -180,6 +180,9 @@ constexpr NamedShape named_shapes[] = {
     {"two_way_merge", two_way_merge},
     {"three_way_merge", three_way_merge},
     {"trousers", trousers},
+    {"mitten", mitten},
+    {"ring_torus", ring_torus},
+    {"teddy", teddy},
 };
 
 }  // namespace

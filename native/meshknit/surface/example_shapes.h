@@ -54,6 +54,16 @@ ExampleShape three_way_merge();
 /// Trousers, waist (start) up, both hems (ends) down.
 ExampleShape trousers();
 
+/// A mitten, cuff (start) down, open at the fingertips (end) and, earlier, at the thumb's tip.
+ExampleShape mitten();
+
+/// An upright ring of round cross-section with a hole in its skin at the bottom (start) and one
+/// at the top (end): genus 1.
+ExampleShape ring_torus();
+
+/// A closed teddy bear with openings on feet (starts), hands, and, last, ears (ends).
+ExampleShape teddy();
+
 /// Names that example_shape() knows, and the shape of a name with its default sizes.
 /// Throws: InvalidInput for an unknown name.
 std::vector<std::string> example_shape_names();

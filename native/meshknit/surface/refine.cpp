@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "meshknit/core/error.h"
+#include "meshknit/surface/split_edge.h"
 
 namespace meshknit {
 namespace {
@@ -50,27 +51,11 @@ class Refiner {
   }
 
   VertexHandle split(EdgeHandle edge) {
-    std::vector<std::pair<VertexHandle, int>> opposite;  // with the source of the face between
-    for (int side = 0; side < 2; ++side) {
-      const HalfedgeHandle half = mesh_.halfedge_handle(edge, side);
-      if (mesh_.is_boundary(half)) continue;
-      opposite.push_back({mesh_.to_vertex_handle(mesh_.next_halfedge_handle(half)),
-                          refined_.source_face[mesh_.face_handle(half).idx()]});
-    }
     const HalfedgeHandle half = mesh_.halfedge_handle(edge, 0);
     const VertexHandle from = mesh_.from_vertex_handle(half), to = mesh_.to_vertex_handle(half);
-    const VertexHandle middle = mesh_.add_vertex(0.5 * (mesh_.point(from) + mesh_.point(to)));
+    const VertexHandle middle = split_edge(mesh_, refined_.source_face, edge,
+                                           0.5 * (mesh_.point(from) + mesh_.point(to)));
     refined_.value.push_back(0.5 * (refined_.value[from.idx()] + refined_.value[to.idx()]));
-    mesh_.split(edge, middle);
-
-    refined_.source_face.resize(mesh_.n_faces());
-    for (const auto spoke : mesh_.voh_range(middle))
-      for (const auto& [vertex, source] : opposite)
-        if (mesh_.to_vertex_handle(spoke) == vertex) {
-          refined_.source_face[mesh_.face_handle(spoke).idx()] = source;
-          refined_.source_face[mesh_.face_handle(mesh_.opposite_halfedge_handle(spoke)).idx()] =
-              source;
-        }
     return middle;
   }
 

@@ -1,5 +1,6 @@
 #include "meshknit/surface/rim_cuts.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -110,7 +111,9 @@ class Cutting {
         crossing_.try_emplace(std::minmax(a, b), static_cast<int>(points_.size()));
     if (added) {
       const double from = beyond(cut, points_[a]), to = beyond(cut, points_[b]);
-      points_.push_back(points_[a] + from / (from - to) * (points_[b] - points_[a]));
+      // A vertex in the plane must not become two vertices in one place.
+      const double t = std::clamp(from / (from - to), 0.05, 0.95);
+      points_.push_back(points_[a] + t * (points_[b] - points_[a]));
       rim_.push_back(number);
     }
     return found->second;

@@ -16,7 +16,8 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 Surface surface_of(const ExampleShape& shape) {
-  return make_surface(shape.vertices, shape.faces);
+  const ExampleShape open = opened(shape);
+  return make_surface(open.vertices, open.faces);
 }
 
 double smallest_angle(const ExampleShape& shape) {
@@ -43,7 +44,7 @@ TEST_P(EveryExample, IsOnePieceWithoutFaults) {
 }
 
 TEST_P(EveryExample, HasATimeForEveryRimAndAFieldWithoutFalseEnds) {
-  const ExampleShape shape = example_shape(GetParam());
+  const ExampleShape shape = opened(example_shape(GetParam()));
   const Surface surface = surface_of(shape);
   const std::vector<TimeConstraint> constraints = time_constraints(surface, shape);
   EXPECT_TRUE(check_constraints(surface, constraints).empty());
@@ -56,7 +57,7 @@ TEST_P(EveryExample, HasATimeForEveryRimAndAFieldWithoutFalseEnds) {
 TEST_P(EveryExample, FitsTheBedAndIsKnitInReasonableTime) {
   // At half gauge a tube of n stitches takes n needles of each of two beds: n / 2 loops a bed,
   // every other needle. No level of the field may be longer than 250 stitches of 3.66 mm.
-  const TimedShape shape = shape_named(GetParam());
+  const TimedShape shape = timed(opened(example_shape(GetParam())));
   const TriangleMesh& mesh = shape.surface.mesh;
   for (double level = -0.975; level < 1.0; level += 0.05) {
     double length = 0.0;
@@ -83,23 +84,25 @@ TEST_P(EveryExample, FitsTheBedAndIsKnitInReasonableTime) {
 TEST(ExampleShapes, BranchAsTheirNamesSay) {
   struct Branching {
     const char* name;
-    int starts, ends;
+    int starts, between, ends, genus;
   };
   for (const Branching& expected :
-       {Branching{"sock", 1, 1}, Branching{"two_way_split", 1, 2},
-        Branching{"three_way_split", 1, 3}, Branching{"two_way_merge", 2, 1},
-        Branching{"three_way_merge", 3, 1}, Branching{"trousers", 1, 2}}) {
+       {Branching{"sock", 1, 0, 1, 0}, Branching{"two_way_split", 1, 0, 2, 0},
+        Branching{"three_way_split", 1, 0, 3, 0}, Branching{"two_way_merge", 2, 0, 1, 0},
+        Branching{"three_way_merge", 3, 0, 1, 0}, Branching{"trousers", 1, 0, 2, 0},
+        Branching{"mitten", 1, 1, 1, 0}, Branching{"ring_torus", 1, 0, 1, 1},
+        Branching{"teddy", 2, 2, 2, 0}}) {
+    SCOPED_TRACE(expected.name);
     const ExampleShape shape = example_shape(expected.name);
     const Surface surface = surface_of(shape);
-    int starts = 0, ends = 0;
-    for (const TimeMark& mark : shape.times) {
-      starts += mark.time == -1.0;
-      ends += mark.time == 1.0;
-    }
-    EXPECT_EQ(starts, expected.starts) << expected.name;
-    EXPECT_EQ(ends, expected.ends) << expected.name;
-    EXPECT_EQ(surface.boundaries.size(), shape.times.size()) << expected.name;
-    EXPECT_EQ(surface.genus, 0) << expected.name;
+    int starts = 0, between = 0, ends = 0;
+    for (const TimeMark& mark : shape.times)
+      ++(mark.time == -1.0 ? starts : mark.time == 1.0 ? ends : between);
+    EXPECT_EQ(starts, expected.starts);
+    EXPECT_EQ(between, expected.between);
+    EXPECT_EQ(ends, expected.ends);
+    EXPECT_EQ(surface.genus, expected.genus);
+    EXPECT_EQ(surface.boundaries.size(), shape.times.size());
   }
 }
 
@@ -113,6 +116,7 @@ TEST(ExampleShapes, GrowWithTheirMarks) {
   const ExampleShape drawn = trousers(), larger = scaled(trousers(), 2.0);
   EXPECT_NEAR(surface_of(larger).area, 4.0 * surface_of(drawn).area, 1e-3);
   EXPECT_EQ(larger.times[1].boundary_near, 2.0 * drawn.times[1].boundary_near);
+  EXPECT_EQ(scaled(teddy(), 2.0).openings[0].radius, 2.0 * teddy().openings[0].radius);
 }
 
 TEST(ExampleShapes, FaceOutwards) {

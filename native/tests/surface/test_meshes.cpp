@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace meshknit {
 namespace {
@@ -116,6 +118,45 @@ MeshArrays triangle_soup(const MeshArrays& arrays) {
       soup.faces(f, k) = static_cast<int>(3 * f) + k;
     }
   return soup;
+}
+
+MeshArrays ball(double radius, int times) {
+  std::vector<Eigen::Vector3d> points{{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                      {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+  std::vector<std::array<int, 3>> faces{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  for (int pass = 0; pass < times; ++pass) {
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int a, int b) {
+      const auto [entry, is_new] =
+          middles.insert({std::minmax(a, b), static_cast<int>(points.size())});
+      if (is_new) points.push_back((points[a] + points[b]).normalized());
+      return entry->second;
+    };
+    std::vector<std::array<int, 3>> finer;
+    for (const auto& [a, b, c] : faces) {
+      const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      for (const auto& face :
+           {std::array<int, 3>{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+        finer.push_back(face);
+    }
+    faces = std::move(finer);
+  }
+  MeshArrays arrays{VertexArray(points.size(), 3), FaceArray(faces.size(), 3)};
+  for (std::size_t v = 0; v < points.size(); ++v)
+    arrays.vertices.row(static_cast<Eigen::Index>(v)) = radius * points[v];
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (int k = 0; k < 3; ++k) arrays.faces(static_cast<Eigen::Index>(f), k) = faces[f][k];
+  return arrays;
+}
+
+MeshArrays box(const Eigen::Vector3d& size) {
+  MeshArrays arrays{VertexArray(8, 3), FaceArray(12, 3)};
+  for (int v = 0; v < 8; ++v)
+    arrays.vertices.row(v) << (v & 1) * size.x(), (v >> 1 & 1) * size.y(), (v >> 2) * size.z();
+  arrays.faces << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4,
+      6, 0, 6, 2, 1, 3, 7, 1, 7, 5;
+  return arrays;
 }
 
 TriangleMesh half_edges(const MeshArrays& arrays) {

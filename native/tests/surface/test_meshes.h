@@ -56,6 +56,12 @@ MeshArrays side_by_side(const MeshArrays& a, const MeshArrays& b, const Eigen::V
 /// Every triangle with three vertices of its own, as in an STL file.
 MeshArrays triangle_soup(const MeshArrays& arrays);
 
+/// A closed ball: an octahedron whose faces were quartered `times` times and pushed out.
+MeshArrays ball(double radius, int times = 4);
+
+/// A closed box from (0, 0, 0) to `size`, two triangles a side.
+MeshArrays box(const Eigen::Vector3d& size);
+
 /// The half-edge mesh of arrays known to be good.
 TriangleMesh half_edges(const MeshArrays& arrays);
 
