@@ -38,6 +38,11 @@ class KnitSurface:
     def ok(self):
         return not any(p["severity"] == "error" for p in self.problems)
 
+    def arrays(self, model):
+        """-> (vertices in mm, faces) of what is knit."""
+        kept = model if self.cut is None else self.cut
+        return kept.vertices, kept.faces
+
     def rows_of(self, vertices):
         """Rows of the model -> rows of the surface, without those that were left out."""
         if self.cut is None:
