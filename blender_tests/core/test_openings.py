@@ -52,7 +52,7 @@ def test_a_ball_with_two_openings_is_knit_as_a_tube():
     assert hem["at"] == [0.0, 0.0, -50.0] and hem["radius"] == 20.0
     # A circle of latitude 20 mm from the pole of a ball of 50 mm; this one has flat sides.
     circle = 2.0 * math.pi * 50.0 * math.sin(20.0 / 50.0)
-    assert hem["rim"] == pytest.approx(circle, rel=0.02)
+    assert hem["rim_length"] == pytest.approx(circle, rel=0.02)
     assert hem["stitches"] == pytest.approx(circle / SETTINGS.stitch_width, abs=1)
     # The first row of the graph goes round the rim.
     graph = outcome.results["graph"].value
