@@ -11,17 +11,13 @@ from .text import draw_value
 class MESHKNIT_UL_openings(bpy.types.UIList):
     bl_idname = names.LIST_OPENINGS
 
-    def draw_item(self, context, layout, data, item, icon, active_data, active_name, index=0):
-        row = layout.split(factor=0.5, align=True)
+    def draw_item(self, context, layout, data, item, icon, active_data, active_name):
+        row = layout.split(factor=0.55, align=True)
         row.prop(item, "name", text="", emboss=False)
-        row = row.row(align=True)
         if item.has_time:
             row.prop(item, "time", text="")
         else:
             row.label(text="no time")
-        row.operator(
-            names.OP_SELECT_OPENING, text="", icon="RESTRICT_SELECT_OFF", emboss=False
-        ).index = index
 
 
 class MESHKNIT_PT_openings(KnitPanel, bpy.types.Panel):
@@ -34,7 +30,9 @@ class MESHKNIT_PT_openings(KnitPanel, bpy.types.Panel):
         mesh = getattr(context.object.data, names.PROPERTIES)
         row = layout.row()
         row.template_list(names.LIST_OPENINGS, "", mesh, "openings", mesh, "active_opening", rows=3)
-        row.operator(names.OP_REMOVE_OPENING, text="", icon="REMOVE").index = -1
+        beside = row.column(align=True)
+        beside.operator(names.OP_REMOVE_OPENING, text="", icon="REMOVE").index = -1
+        beside.operator(names.OP_SELECT_OPENING, text="", icon="RESTRICT_SELECT_OFF").index = -1
         if 0 <= mesh.active_opening < len(mesh.openings):
             self._draw_entry(context, mesh.openings[mesh.active_opening])
         editing = context.object.mode == "EDIT"
