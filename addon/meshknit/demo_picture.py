@@ -41,7 +41,8 @@ def render(context, model, outcome, path):
     graph = outcome.results["graph"].value
     # The picture is one unit a decimetre: Cycles is at its best near 1.
     unit = 100.0
-    _add_surface(context, model, outcome.results["time"].value[0], unit)
+    vertices, faces = outcome.results["check"].value.arrays(model)
+    _add_surface(context, vertices / unit, faces, outcome.results["time"].value[0])
     places = graph.nodes[:, :3] / unit
     for kind, pairs in graph_edges(graph).items():
         if len(pairs):
@@ -92,13 +93,13 @@ def tubes(segments, radius):
     return vertices, (starts[:, None, None] + quads[None]).reshape(-1, 4)
 
 
-def _add_surface(context, model, times, unit):
+def _add_surface(context, vertices, faces, times):
     material = _material("Time", (0.8, 0.8, 0.8))
     tree = material.node_tree
     color = tree.nodes.new("ShaderNodeAttribute")
     color.attribute_name = names.TIME_COLOR
     tree.links.new(color.outputs["Color"], tree.nodes["Diffuse BSDF"].inputs["Color"])
-    ob = _add_mesh(context, "Surface", model.vertices / unit, model.faces, material)
+    ob = _add_mesh(context, "Surface", vertices, faces, material)
     colors = to_linear(time_colors(times))
     write_attribute(ob.data, names.TIME_COLOR, "FLOAT_COLOR", "POINT", colors)
 

@@ -52,7 +52,7 @@ def test_a_ball_with_two_openings_is_knit_as_a_tube():
     assert hem["at"] == [0.0, 0.0, -50.0] and hem["radius"] == 20.0
     # A circle of latitude 20 mm from the pole of a ball of 50 mm; this one has flat sides.
     circle = 2.0 * math.pi * 50.0 * math.sin(20.0 / 50.0)
-    assert hem["rim"] == pytest.approx(circle, rel=0.02)
+    assert hem["rim_length"] == pytest.approx(circle, rel=0.02)
     assert hem["stitches"] == pytest.approx(circle / SETTINGS.stitch_width, abs=1)
     # The first row of the graph goes round the rim.
     graph = outcome.results["graph"].value
@@ -157,6 +157,22 @@ def test_what_cannot_be_cut_is_refused_with_faces_of_the_user(opening, code):
     assert all(0 <= f < count for f in faces) and (faces or code == "opening-off-surface")
     report = build_report(library, model, SETTINGS, outcome)
     assert report["ok"] is False and report["openings"] == []
+
+
+def test_a_constraint_covers_the_vertices_that_cutting_made_on_its_edges():
+    # A coarse square tube, its ends marked by their corners: the round opening in a side refines
+    # the sides, and with them the edges of both ends.
+    vertices, polygons = meshes.tube(radius=60.0, length=90.0, around=4, along=1)
+    ends = [tuple(range(4)), tuple(range(4, 8))]
+    constraints = [Constraint(str(i), end, t) for i, (end, t) in enumerate(zip(ends, (-1.0, 1.0)))]
+    middle = vertices[[0, 1, 4, 5]].mean(axis=0)
+    side = Opening("Thumb", None, tuple(middle), 30.0)
+    model = model_of(vertices, polygons, openings=(side,), constraints=tuple(constraints))
+    outcome = run(model, "time")
+    assert len(outcome.results["check"].value.rows_of(ends[0])) > 8
+    # Only the rim is without a time.
+    (problem,) = [p for p in errors(outcome) if p["code"] == "boundary-without-time"]
+    assert "Thumb" in problem["message"]
 
 
 def test_a_changed_opening_changes_the_check_and_a_changed_time_the_field():

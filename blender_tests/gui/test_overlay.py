@@ -36,6 +36,8 @@ def count(picture, kind):
         return int(((blue > red + 0.15) & (blue > green)).sum())
     if kind == "red":
         return int(((red > blue + 0.15) & (red > green + 0.1)).sum())
+    if kind == "orange":
+        return int(((red > 0.9) & (green < 0.6) & (blue < 0.15)).sum())
     return int(((red > green + 0.25) & (blue > green + 0.25)).sum())  # magenta
 
 
@@ -82,3 +84,21 @@ def test_decreases_are_magenta_until_they_are_stale(user, run, picture):
     sessions.look_again(bpy.context, bpy.context.object)
     show(user, show_graph=False)
     assert count(picture(), "magenta") < before + drawn // 4
+
+
+def test_an_opening_is_a_hole_in_the_colours_with_a_rim(user, run, picture):
+    run(bpy.ops.mesh.primitive_uv_sphere_add, radius=0.05)
+    run(bpy.ops.view3d.view_axis, type="FRONT")
+    run(bpy.ops.view3d.view_selected)
+    bpy.ops.meshknit.add_opening(location=(0.0, 0.0, 0.05), radius=10.0, time=-1.0)
+    bpy.ops.meshknit.add_opening(location=(0.0, -0.05, 0.0), radius=25.0, time=1.0)
+    show(user, show_graph=False)
+    assert count(picture(), "orange") > 100  # a circle where it will be cut
+    bpy.ops.meshknit.solve_time()
+    pump(4)
+    shown = picture()
+    assert count(shown, "orange") > 100
+    # In the middle of the hole, beside the dot at the object's origin.
+    red, green, blue = shown[user.view.height // 2 + 15, user.view.width // 2 + 15]
+    assert abs(red - green) < 0.05 and abs(green - blue) < 0.05  # the bare mesh
+    assert count(shown, "red") > 200

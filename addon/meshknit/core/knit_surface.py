@@ -5,6 +5,8 @@ from typing import Optional
 
 import numpy as np
 
+ON_EDGE = 1e-9  # of a face's height: rounding, not distance
+
 
 @dataclass(frozen=True)
 class Rim:
@@ -33,17 +35,29 @@ class KnitSurface:
     cut: Optional[object] = None  # library.CutSurface
     rims: tuple = ()
     problems: tuple = ()
+    on_edges: Optional[tuple] = None  # rows of new vertices on edges of the model, and their ends
 
     @property
     def ok(self):
         return not any(p["severity"] == "error" for p in self.problems)
 
+    def arrays(self, model):
+        """-> (vertices in mm, faces) of what is knit."""
+        kept = model if self.cut is None else self.cut
+        return kept.vertices, kept.faces
+
     def rows_of(self, vertices):
-        """Rows of the model -> rows of the surface, without those that were left out."""
+        """A chain of the model -> the rows of the surface on it: without what was left out, and
+        with the vertices that cutting made on its edges."""
         if self.cut is None:
             return [int(v) for v in vertices]
-        rows = self.cut.vertex_of_source[np.asarray(vertices, dtype=int)]
-        return rows[rows >= 0].tolist()
+        vertices = np.asarray(vertices, dtype=int)
+        rows = self.cut.vertex_of_source[vertices]
+        rows = rows[rows >= 0]
+        made, ends = self.on_edges
+        # Doubled vertices are one row: a seam's other side belongs to the chain, too.
+        held = np.isin(ends, vertices) | np.isin(self.cut.vertex_of_source[ends], rows)
+        return rows.tolist() + made[held.all(axis=1)].tolist()
 
     def model_rows(self, model, rows):
         """Rows of the surface -> rows of the model; a vertex on a cut is named by the nearest
@@ -54,7 +68,7 @@ class KnitSurface:
         sources = self.cut.source_vertex[rows]
         new = np.flatnonzero(sources < 0)
         if len(new):
-            corners = model.faces[self._source_faces(rows[new])]
+            corners = model.faces[_source_faces(self.cut)[rows[new]]]
             away = model.vertices[corners] - self.cut.vertices[rows[new], None]
             nearest = (away**2).sum(axis=2).argmin(axis=1)
             sources[new] = corners[np.arange(len(new)), nearest]
@@ -99,19 +113,13 @@ class KnitSurface:
         times = np.array(model.own_time, dtype=float)[np.maximum(sources, 0)]
         new = np.flatnonzero(sources < 0)
         if len(new):
-            corners = model.faces[self._source_faces(new)]
+            corners = model.faces[_source_faces(self.cut)[new]]
             weights = _weights(model.vertices[corners], self.cut.vertices[new])
             times[new] = (weights * model.own_time[corners]).sum(axis=1)
         for rim in self.rims:
             if rim.time(model) is not None:
                 times[list(rim.vertices)] = rim.time(model)
         return times
-
-    def _source_faces(self, rows):
-        """For each row a face of the model that it lies in."""
-        faces = np.empty(len(self.cut.source_vertex), dtype=int)
-        faces[self.cut.faces] = self.cut.source_face[:, None]
-        return faces[rows]
 
 
 def check_surface(library, model, stitch_width):
@@ -139,9 +147,10 @@ def check_surface(library, model, stitch_width):
         )
         for entry in cut.openings
     )
-    found = KnitSurface(surface, cut, rims)
+    edges = _new_on_edges(model, cut)
+    found = KnitSurface(surface, cut, rims, on_edges=edges)
     own = [found.for_user(model, found.with_rim_names(model, p)) for p in surface.problems]
-    return KnitSurface(surface, cut, rims, tuple(mended + own))
+    return KnitSurface(surface, cut, rims, tuple(mended + own), edges)
 
 
 def polygons(model, faces):
@@ -156,6 +165,24 @@ def polygons_for_user(model, problem):
     if model.face_source is None or not faces:
         return problem
     return {**problem, "elements": {**problem["elements"], "faces": polygons(model, faces)}}
+
+
+def _source_faces(cut):
+    """For each row of a cut surface a face of the model that it lies in."""
+    faces = np.empty(len(cut.source_vertex), dtype=int)
+    faces[cut.faces] = cut.source_face[:, None]
+    return faces
+
+
+def _new_on_edges(model, cut):
+    """The new vertices that lie on an edge of the model: (rows, (n, 2) rows of the edge's ends)."""
+    new = np.flatnonzero(cut.source_vertex < 0)
+    corners = model.faces[_source_faces(cut)[new]]
+    weights = _weights(model.vertices[corners], cut.vertices[new])
+    opposite = np.abs(weights).argmin(axis=1)
+    on_edge = np.abs(weights[np.arange(len(new)), opposite]) < ON_EDGE
+    ends = np.stack([(opposite + 1) % 3, (opposite + 2) % 3], axis=1)
+    return new[on_edge], np.take_along_axis(corners, ends, axis=1)[on_edge]
 
 
 def _weights(corners, points):

@@ -51,7 +51,7 @@ def build_report(library, model, settings, outcome):
 
 def _opening(model, settings, rim):
     """What was cut: where (mm), its rim, and when that is knit (None: nothing says)."""
-    entry = {"name": rim.name(model), "rim": rim.length, "time": rim.time(model)}
+    entry = {"name": rim.name(model), "rim_length": rim.length, "time": rim.time(model)}
     entry["stitches"] = round(rim.length / settings.stitch_width)
     if rim.faces:
         return {**entry, "faces": list(rim.faces)}

@@ -1,8 +1,12 @@
 """The results that one object has, and whether they still belong to it."""
 
 from dataclasses import dataclass, field
+from itertools import count
 
 from ..names import STAGES
+
+
+_serials = count()
 
 
 @dataclass
@@ -16,6 +20,13 @@ class Session:
     message: str = ""
     written: str = ""  # the machine file's full path, once it is there
     revision: int = 0  # grows with every change that a drawing must follow
+    serial: int = field(default_factory=lambda: next(_serials))  # of all sessions, this one
+
+    @property
+    def drawing_key(self):
+        """Changes with everything that a drawing must follow, also from object to object and from
+        file to file."""
+        return self.serial, self.revision
 
     def adopt(self, outcome, report):
         """Takes over a run. A cancelled run leaves the session as it was."""

@@ -4,8 +4,9 @@ import bpy
 from mathutils import Matrix
 
 from .. import compat, names
+from ..core.colors import time_colors
 from ..scene import sessions
-from ..scene.read_overlay import read_time_surface
+from ..scene.read_overlay import read_round_openings, read_time_surface
 from . import overlay_data
 
 LIFT = 0.35  # lines lie this many stitch heights nearer to the viewer than the surface
@@ -27,14 +28,36 @@ def _draw_view():
     gpu.state.depth_test_set("LESS_EQUAL")
     if shown.show_time and ob.mode == "OBJECT":
         lift = 0.3 * LIFT * _unit(session, shown, "time")
-        _draw_batch(_time_batch(ob, session), lift, ob.matrix_world)
+        if _is_cut(session) and session.is_fresh("time"):
+            _draw_batch(_cut_batch(session), lift)
+        else:
+            _draw_batch(_time_batch(ob, session), lift, ob.matrix_world)
+    _draw_rims(ob, session, shown)
     if shown.show_graph and session is not None and session.value("graph") is not None:
-        thin, thick = _graph_batches(ob, session)
+        thin, thick = _graph_batches(session)
         lift = LIFT * _unit(session, shown, "graph")
         _draw_batch(thin, lift)
         _draw_batch(thick, 1.2 * lift, shader=_thick_shader())
     gpu.state.depth_test_set("NONE")
     gpu.state.blend_set("NONE")
+
+
+def _draw_rims(ob, session, shown):
+    """As they were cut; before that, circles where they will be."""
+    if _is_cut(session) and session.is_fresh("check"):
+        lift = LIFT * _unit(session, shown, "check")
+        _draw_batch(_rim_batch(session), lift, shader=_thick_shader())
+    elif ob.mode == "OBJECT":
+        lift = LIFT * _unit(session, shown, "check")
+        _draw_batch(_circle_batch(ob), lift, ob.matrix_world, _thick_shader())
+
+
+def _is_cut(session):
+    return (
+        session is not None
+        and session.value("check") is not None
+        and session.value("check").cut is not None
+    )
 
 
 def _draw_batch(batch, lift, matrix=None, shader=None):
@@ -80,9 +103,41 @@ def _time_batch(ob, session):
     return _cached("time", signature, make)
 
 
-def _graph_batches(ob, session):
+def _cut_batch(session):
+    """The field on what is left of the surface, in world space."""
+
+    def make():
+        knit, scale = session.value("check"), session.results["check"].scale
+        shades = time_colors(session.value("time")[0])
+        triangles = overlay_data.time_triangles(knit.cut.vertices / scale, shades, knit.cut.faces)
+        content = {"pos": triangles.points, "color": triangles.colors}
+        return _new_batch("TRIS", content, triangles.indices)
+
+    return _cached("cut", session.drawing_key, make)
+
+
+def _rim_batch(session):
+    def make():
+        knit, scale = session.value("check"), session.results["check"].scale
+        rings = [knit.cut.vertices[list(rim.vertices)] / scale for rim in knit.rims]
+        lines = overlay_data.ring_lines(rings)
+        return _new_batch("LINES", {"pos": lines.points, "color": lines.colors}, None, "POLYLINE_")
+
+    return _cached("rims", session.drawing_key, make)
+
+
+def _circle_batch(ob):
+    def make():
+        rings = [overlay_data.circle(*place) for place in read_round_openings(ob)]
+        lines = overlay_data.ring_lines(rings)
+        return _new_batch("LINES", {"pos": lines.points, "color": lines.colors}, None, "POLYLINE_")
+
+    return _cached("circles", (compat.object_key(ob), sessions.mesh_revision(ob)), make)
+
+
+def _graph_batches(session):
     stale = not session.is_fresh("graph")
-    signature = (compat.object_key(ob), session.revision, stale)
+    signature = (session.drawing_key, stale)
 
     def make():
         graph = session.results["graph"]

@@ -84,6 +84,23 @@ def _stars(places, arm):
     return (places[:, None, :] + arms[None]).reshape(-1, 3)
 
 
+def ring_lines(rings, stale=False):
+    """Closed polygons, each (n, 3), as lines in the colour of rims."""
+    pairs = [np.stack([ring, np.roll(ring, -1, axis=0)], axis=1).reshape(-1, 3) for ring in rings]
+    points = np.concatenate(pairs) if pairs else np.empty((0, 3))
+    shade = np.float32(colors.STALE if stale else colors.RIM)
+    return Lines(points.astype(np.float32), np.tile(shade, (len(points), 1)))
+
+
+def circle(centre, normal, radius, sides=48):
+    """A circle in space as a polygon."""
+    normal = np.asarray(normal, float) / np.linalg.norm(normal)
+    aside = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
+    aside /= np.linalg.norm(aside)
+    turns = 2.0 * np.pi * np.arange(sides)[:, None] / sides
+    return centre + radius * (np.cos(turns) * aside + np.sin(turns) * np.cross(normal, aside))
+
+
 @dataclass(frozen=True)
 class Triangles:
     """A coloured surface in the object's own space."""

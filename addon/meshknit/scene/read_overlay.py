@@ -8,8 +8,8 @@ from .attributes import positions, read_attribute
 
 
 def read_time_surface(ob, depsgraph):
-    """-> (positions, colours, triangles) in the object's own space, as its modifiers leave it, or
-    None without a field. Where a modifier drops the field, as it is without modifiers. Requires
+    """-> (positions, colours, triangles) in the object's own space, as its modifiers leave it and
+    without the faces that are left out, or None without a field. Where a modifier drops the field, as it is without modifiers. Requires
     Object Mode."""
     evaluated = ob.evaluated_get(depsgraph)
     surface = _read(evaluated.to_mesh())
@@ -24,4 +24,22 @@ def _read(mesh):
     mesh.calc_loop_triangles()
     triangles = np.empty(3 * len(mesh.loop_triangles), np.int32)
     mesh.loop_triangles.foreach_get("vertices", triangles)
-    return positions(mesh), time_colors(times), triangles.reshape(-1, 3)
+    triangles = triangles.reshape(-1, 3)
+    left_out = read_attribute(mesh, names.OPENING, "INT", "FACE")
+    if left_out is not None:
+        polygon = np.empty(len(triangles), np.int32)
+        mesh.loop_triangles.foreach_get("polygon_index", polygon)
+        triangles = triangles[left_out[polygon] == 0]
+    return positions(mesh), time_colors(times), triangles
+
+
+def read_round_openings(ob):
+    """-> (place on the surface, normal, radius) of each, in the object's own space, as a guess of
+    what will be cut. Requires Object Mode."""
+    found = []
+    for entry in getattr(ob.data, names.PROPERTIES).openings:
+        if entry.number == 0 and len(ob.data.polygons):
+            hit, place, normal, _ = ob.closest_point_on_mesh(entry.location)
+            if hit and normal.length > 0.0:
+                found.append((np.array(place), np.array(normal), entry.radius))
+    return found

@@ -53,6 +53,17 @@ class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
         layout.prop(getattr(context.scene, names.PROPERTIES), "output", text="")
 
 
+def shown_scale(context):
+    """Millimetres that a Blender unit of the active object becomes."""
+    mesh = getattr(context.object.data, names.PROPERTIES)
+    if mesh.size_mode == "SCALE":
+        return mesh.scale
+    longest = max(context.object.dimensions)
+    if mesh.size_mode == "SIZE" and longest > 0.0:
+        return mesh.size / longest
+    return 1000.0 * context.scene.unit_settings.scale_length
+
+
 class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
     bl_idname = "MESHKNIT_PT_setup"
     bl_label = "Size and Gauge"
@@ -69,16 +80,13 @@ class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
         if mesh.size_mode == "SIZE":
             layout.label(text="Longest side, in mm:")
             layout.prop(mesh, "size", text="")
-            if longest > 0.0:
-                draw_value(layout, "mm per unit", f"{mesh.size / longest:.4g}")
-        else:
-            if mesh.size_mode == "SCALE":
-                layout.label(text="mm per unit:")
-                layout.prop(mesh, "scale", text="")
-                scale = mesh.scale
-            else:
-                scale = 1000.0 * context.scene.unit_settings.scale_length
-                draw_value(layout, "mm per unit", f"{scale:.4g}")
+        elif mesh.size_mode == "SCALE":
+            layout.label(text="mm per unit:")
+            layout.prop(mesh, "scale", text="")
+        scale = shown_scale(context)
+        if mesh.size_mode != "SCALE" and longest > 0.0:
+            draw_value(layout, "mm per unit", f"{scale:.4g}")
+        if mesh.size_mode != "SIZE":
             draw_value(layout, "Longest", f"{longest * scale:.0f} mm")
         layout.label(text="One stitch, in mm:")
         column = layout.column(align=True)

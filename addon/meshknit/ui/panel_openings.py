@@ -3,22 +3,21 @@
 import bpy
 
 from .. import names
-from .panel import KnitPanel
+from ..scene.read_model import mean_scale
+from .panel import KnitPanel, shown_scale
+from .text import draw_value
 
 
 class MESHKNIT_UL_openings(bpy.types.UIList):
     bl_idname = names.LIST_OPENINGS
 
-    def draw_item(self, context, layout, data, item, icon, active_data, active_name, index=0):
-        row = layout.row(align=True)
-        row.prop(item, "name", text="", emboss=False, icon="FACESEL" if item.number else "DOT")
-        row.prop(item, "has_time", text="", icon="TIME")
-        time = row.row(align=True)
-        time.active = item.has_time
-        time.prop(item, "time", text="")
-        row.operator(
-            names.OP_SELECT_OPENING, text="", icon="RESTRICT_SELECT_OFF", emboss=False
-        ).index = index
+    def draw_item(self, context, layout, data, item, icon, active_data, active_name):
+        row = layout.split(factor=0.55, align=True)
+        row.prop(item, "name", text="", emboss=False)
+        if item.has_time:
+            row.prop(item, "time", text="")
+        else:
+            row.label(text="no time")
 
 
 class MESHKNIT_PT_openings(KnitPanel, bpy.types.Panel):
@@ -31,14 +30,22 @@ class MESHKNIT_PT_openings(KnitPanel, bpy.types.Panel):
         mesh = getattr(context.object.data, names.PROPERTIES)
         row = layout.row()
         row.template_list(names.LIST_OPENINGS, "", mesh, "openings", mesh, "active_opening", rows=3)
-        row.operator(names.OP_REMOVE_OPENING, text="", icon="REMOVE").index = -1
+        beside = row.column(align=True)
+        beside.operator(names.OP_REMOVE_OPENING, text="", icon="REMOVE").index = -1
+        beside.operator(names.OP_SELECT_OPENING, text="", icon="RESTRICT_SELECT_OFF").index = -1
         if 0 <= mesh.active_opening < len(mesh.openings):
-            entry = mesh.openings[mesh.active_opening]
-            if not entry.number:
-                layout.prop(entry, "radius")
+            self._draw_entry(context, mesh.openings[mesh.active_opening])
         editing = context.object.mode == "EDIT"
         text = "Add from Selected Faces" if editing else "Add at 3D Cursor"
         layout.operator(names.OP_ADD_OPENING, text=text, icon="ADD")
+
+    def _draw_entry(self, context, entry):
+        layout = self.layout
+        layout.prop(entry, "has_time")
+        if entry.number == 0:
+            layout.prop(entry, "radius")
+            longer = mean_scale(context.object.matrix_world) * shown_scale(context)
+            draw_value(layout, "Knitted", f"{entry.radius * longer:.1f} mm")
 
 
 CLASSES = (MESHKNIT_UL_openings, MESHKNIT_PT_openings)

@@ -10,8 +10,8 @@
 namespace meshknit {
 namespace {
 
-// Of a length: how far rounding may move what has not moved.
-constexpr double rounding = 1e-7;
+// Of the object's size: doubled vertices within a millionth of it were joined.
+constexpr double seam = 1e-5;
 // The rim's promise.
 constexpr double rim_error = 0.02;
 
@@ -26,7 +26,6 @@ std::array<Eigen::Vector3d, 3> corners(const VertexArray& vertices, const FaceAr
           Eigen::Vector3d(vertices.row(faces(face, 2)))};
 }
 
-// Doubled vertices are joined, so corners may have moved by the width of a seam.
 bool lies_in_source(const VertexArray& vertices, const FaceArray& faces, const CutSurface& cut,
                     int face, double slack) {
   const auto source = corners(vertices, faces, cut.source_face[face]);
@@ -81,8 +80,7 @@ Problems check_cut(const VertexArray& vertices, const FaceArray& faces,
     break;
   }
   for (int f = 0; f < static_cast<int>(cut.source_face.size()); ++f) {
-    // Doubled vertices within a millionth of the size are joined.
-    if (lies_in_source(vertices, faces, cut, f, (1e-5 + rounding) * size)) continue;
+    if (lies_in_source(vertices, faces, cut, f, seam * size)) continue;
     problems.push_back(broken("cut-off-surface", "A face left its place on the surface."));
     break;
   }

@@ -258,6 +258,35 @@ TEST(CutOpenings, OpeningsMustNotOverlapOrTouch) {
   EXPECT_TRUE(cut(arrays, {{{0.0, 0.0, 50.0}, 25.0}, {aside, 25.0}}).problems.empty());
 }
 
+TEST(CutOpenings, RandomOpeningsLeaveASurfaceOrSayWhyNot) {
+  const std::vector<MeshArrays> shapes{ball(50.0, 3), box({120.0, 80.0, 4.0}), closed_torus()};
+  Jitter jitter(11);
+  int cut_well = 0;
+  for (int i = 0; i < 150; ++i) {
+    SCOPED_TRACE(i);
+    const MeshArrays& arrays = shapes[static_cast<std::size_t>(i % 3)];
+    std::vector<OpeningMark> marks;
+    for (int k = 0; k < 1 + i % 4; ++k) {
+      const auto face = static_cast<Eigen::Index>((0.5 + 0.5 * jitter.next()) *
+                                                  static_cast<double>(arrays.faces.rows()));
+      // A vertex, a place on an edge, or one inside of a face: those are where cuts go wrong.
+      const double b = k % 2 ? 0.0 : 0.3 * (1.0 + jitter.next()), c = k % 3 ? 0.0 : 0.2;
+      const Eigen::Vector3d at = (1.0 - b - c) * arrays.vertices.row(arrays.faces(face, 0)) +
+                                 b * arrays.vertices.row(arrays.faces(face, 1)) +
+                                 c * arrays.vertices.row(arrays.faces(face, 2));
+      marks.push_back({at, std::pow(10.0, 1.2 + 0.5 * jitter.next())});
+    }
+    const CutSurface result = cut(arrays, marks);
+    if (has_errors(result.problems)) continue;
+    ++cut_well;
+    const Surface left = make_surface(result.vertices, result.faces);
+    EXPECT_EQ(left.boundaries.size(), marks.size());
+    EXPECT_EQ(left.components, 1);
+    EXPECT_EQ(left.genus, i % 3 == 2 ? 1 : 0);
+  }
+  EXPECT_GT(cut_well, 50);
+}
+
 TEST(CutOpenings, BrokenMeshesAreRefusedAsByMakeSurface) {
   MeshArrays arrays = ball(50.0, 2);
   arrays.vertices(3, 1) = std::numeric_limits<double>::quiet_NaN();
