@@ -163,6 +163,19 @@ TimedShape shape_named(const std::string& name, double size) {
   return timed(arrays_of_shape(name, size));
 }
 
+double smallest_angle(const ExampleShape& shape) {
+  double smallest = pi;
+  for (Eigen::Index f = 0; f < shape.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const auto corner = [&](int i) -> Eigen::Vector3d {
+        return shape.vertices.row(shape.faces(f, (k + i) % 3)).transpose();
+      };
+      const Eigen::Vector3d a = corner(1) - corner(0), b = corner(2) - corner(0);
+      smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+  return smallest * 180.0 / pi;
+}
+
 ExampleShape shuffled(const ExampleShape& shape, unsigned seed) {
   Jitter jitter(seed);
   const auto order = [&](Eigen::Index n) {

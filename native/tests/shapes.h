@@ -43,6 +43,9 @@ std::vector<TimeConstraint> time_constraints(const Surface& surface, const Examp
 TimedShape timed(const ExampleShape& shape);
 TimedShape shape_named(const std::string& name, double size = 1.0);
 
+/// The smallest angle of a shape's triangles, degrees.
+double smallest_angle(const ExampleShape& shape);
+
 /// The same shape with its vertices and faces in another order.
 ExampleShape shuffled(const ExampleShape& shape, unsigned seed);
 
