@@ -85,7 +85,6 @@ std::optional<Cycle> Trimmer::trim(const GeodesicBand& band, const Cycle& active
     bool mended = false;
     for (const Cycle& island : cycles)
       mended = close_pocket(island, knitted_now) || reopen_island(island, all_now) || mended;
-    if (!mended) break;
   }
   for (const int v : knitted_now) state_.knitted[v] = 0;
   for (auto old = old_crossings.rbegin(); old != old_crossings.rend(); ++old)

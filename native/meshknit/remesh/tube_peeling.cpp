@@ -21,6 +21,12 @@ int worthwhile_run(int count) { return std::min(count / 6, std::max(12, count / 
 // node.
 constexpr double beyond_end = 0.1;
 
+// Where the way to the end is shared out, no row is higher than this, in rows.
+constexpr double highest = 1.25;
+
+// A part of a row that stands higher than this part of a row's height is worth knitting.
+constexpr double least_height = 0.7;
+
 std::vector<double> times_of(const PeelState& state, const Cycle& cycle) {
   std::vector<double> times;
   for (const EdgeCrossing& c : cycle.crossings) {
@@ -57,17 +63,17 @@ bool TubePeeling::peel_row() {
     knit_last(rest);
     return true;
   }
-  Candidate c =
-      rest.near
-          ? candidate(RowLevel::part_of_rest(rest.rows, 1.25 * peel_.row_height, peel_.plan),
-                      1.5 * peel_.row_height)
-          : candidate(RowLevel::of_height(rest.height), 1.2 * rest.height);
+  const RowLevel level =
+      rest.near ? RowLevel::part_of_rest(rest.rows, highest * peel_.row_height, peel_.plan)
+                : RowLevel::of_height(rest.height);
+  peel_.band.measure({&active_.cycle}, 1.2 * highest * peel_.row_height);
+  Candidate c = candidate(level);
   if (!rest.near) {
     c.row.runs = accept(c, worthwhile_run(static_cast<int>(c.row.place.size())));
     if (!c.row.runs.empty() && knit_runs(c, c.row.runs)) return true;
   }
   c.row.runs.clear();
-  if (knit(c) || knit_into_pocket(c)) return true;
+  if (knit(c) || knit_into_pocket(level)) return true;
 
   const int vertex = peel_.state.to(c.next.cycle.crossings.front().halfedge);
   Problem problem;
@@ -83,8 +89,7 @@ bool TubePeeling::peel_row() {
   throw NotKnittable({problem});
 }
 
-TubePeeling::Candidate TubePeeling::candidate(const RowLevel& level, double limit) {
-  peel_.band.measure({&active_.cycle}, limit);
+TubePeeling::Candidate TubePeeling::candidate(const RowLevel& level) {
   std::vector<NextCycle> cycles = peel_.slicer.slice(peel_.band, {&active_.cycle}, level);
   if (cycles.empty()) throw BrokenPromise("slicing found no next cycle");
   Candidate c{level, {}, {}, {}};
@@ -98,8 +103,8 @@ TubePeeling::Candidate TubePeeling::candidate(const RowLevel& level, double limi
 
 void TubePeeling::knit_last(const RestOfTube& rest) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Candidate c = candidate(RowLevel::part_of_rest(1, infinity, peel_.plan),
-                          rest.most + 2.0 * peel_.row_height);
+  peel_.band.measure({&active_.cycle}, rest.most + 2.0 * peel_.row_height);
+  Candidate c = candidate(RowLevel::part_of_rest(1, infinity, peel_.plan));
   link(c);
   if (c.row.links.empty()) throw BrokenPromise("linking found no columns between two rows");
   for (const EdgeCrossing& crossing : c.next.cycle.crossings)
@@ -129,15 +134,24 @@ bool TubePeeling::knit_runs(const Candidate& c, std::vector<NodeRun> runs) {
   return knit(std::move(some));
 }
 
-bool TubePeeling::knit_into_pocket(const Candidate& c) {
-  // What closes the part off lies later than the part itself.
-  std::vector<double> times = c.row.time;
+bool TubePeeling::knit_into_pocket(const RowLevel& level) {
+  // What closes the part off lies later than the part itself: leave the latest out, as little as
+  // will do.
+  std::vector<double> times;
+  for (const int v : peel_.band.reached())
+    if (peel_.limits.may_knit(v)) times.push_back(peel_.state.time[v]);
   std::sort(times.begin(), times.end());
-  const std::vector<double> gains(c.row.time.size(), 0.0);
-  for (const double part : {0.9, 0.75, 0.6, 0.45, 0.3, 0.15}) {
+  if (times.empty()) return false;
+  for (const double part : {0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1}) {
     const double latest = times[static_cast<std::size_t>(part * (times.size() - 1))];
+    const Candidate c = candidate(level.not_later_than(latest, peel_.state));
+    std::vector<double> lack;  // of height
+    for (const double place : c.row.place)
+      lack.push_back(least_height * peel_.row_height -
+                     c.next.cycle.value(c.next.cycle.at(place), c.next.gap));
+    const std::vector<double> gains(lack.size(), 0.0);
     std::vector<NodeRun> runs =
-        accept_by_time(c.row.time, gains, latest, fewest_in_short_row, fewest_in_short_row);
+        accept_by_time(lack, gains, 0.0, fewest_in_short_row, fewest_in_short_row);
     if (!runs.empty() && knit_runs(c, std::move(runs))) return true;
   }
   return false;
@@ -165,7 +179,8 @@ std::vector<NodeRun> TubePeeling::accept(const Candidate& c, int worthwhile) con
 bool TubePeeling::even_out(const RestOfTube& rest) {
   const double height = peel_.row_height, enough = (rest.rows + 0.5) * height;
   if (rest.most < enough) return false;
-  const Candidate c = candidate(RowLevel::of_height(height), 1.2 * height);
+  peel_.band.measure({&active_.cycle}, 1.2 * height);
+  const Candidate c = candidate(RowLevel::of_height(height));
   std::vector<double> lateness;
   for (const double place : c.row.place) {
     const CyclePoint below = active_.cycle.at(foot_of(c.next, place));

@@ -32,7 +32,8 @@ class TubePeeling {
     NextRow row;
   };
 
-  Candidate candidate(const RowLevel& level, double limit);
+  /// Requires: the band is measured from the active cycle, beyond the level.
+  Candidate candidate(const RowLevel& level);
   std::vector<NodeRun> accept(const Candidate& c, int worthwhile) const;
   /// Near the end: a short row where the end is further away than elsewhere, if any is worth it.
   bool even_out(const RestOfTube& rest);
@@ -40,7 +41,7 @@ class TubePeeling {
   bool knit(Candidate c);
   bool knit_runs(const Candidate& c, std::vector<NodeRun> runs);
   /// Where a whole row would close off a part that is still to be knit: short rows into that part.
-  bool knit_into_pocket(const Candidate& c);
+  bool knit_into_pocket(const RowLevel& level);
   void knit_last(const RestOfTube& rest);
 
   double foot_of(const NextCycle& next, double place) const;
