@@ -14,6 +14,12 @@ py::dict to_python(const LengthError& error) {
   result["p95"] = error.p95;
   result["within_10"] = error.within_10;
   result["within_20"] = error.within_20;
+  py::list bounds;
+  for (int k = 0; k + 1 < histogram_bins; ++k) bounds.append(histogram_bound(k));
+  py::dict histogram;
+  histogram["bounds"] = bounds;
+  histogram["counts"] = error.histogram;
+  result["histogram"] = histogram;
   return result;
 }
 
@@ -24,6 +30,10 @@ py::dict graph_report(const CheckedGraph& g) {
   report["short_rows"] = g.stats.short_rows;
   report["splits"] = g.stats.splits;
   report["merges"] = g.stats.merges;
+  report["increases"] = g.stats.increases;
+  report["decreases"] = g.stats.decreases;
+  report["short_row_ends"] = g.stats.short_row_ends;
+  report["irregular"] = g.stats.irregular;
   report["row_error"] = to_python(g.stats.row_error);
   report["column_error"] = to_python(g.stats.column_error);
   for (std::size_t k = 0; k < g.check.violations.size(); ++k)
