@@ -135,15 +135,16 @@ void bind_graph(py::module_& m) {
   m.def(
       "build_knit_graph",
       [](const Surface& surface, const Doubles& time, double stitch_width, double stitch_height,
-         RunContext* run) {
+         bool relax, RunContext* run) {
         const std::vector<double> field = from_input_order(surface, time);
         py::gil_scoped_release release;
         return std::make_unique<CheckedGraph>(
-            build_knit_graph(surface, field, {stitch_width, stitch_height}, run));
+            build_knit_graph(surface, field, {stitch_width, stitch_height, relax}, run));
       },
       py::arg("surface"), py::arg("time"),
       py::arg("stitch_width") = RemeshOptions().stitch_width,
-      py::arg("stitch_height") = RemeshOptions().stitch_height, py::arg("run") = nullptr);
+      py::arg("stitch_height") = RemeshOptions().stitch_height,
+      py::arg("relax") = RemeshOptions().relax, py::arg("run") = nullptr);
 
   py::class_<StitchTrace>(m, "StitchTrace", py::module_local(),
                           "Traced stitches in construction order.")
