@@ -21,6 +21,9 @@ int worthwhile_run(int count) { return std::min(count / 6, std::max(12, count / 
 // node.
 constexpr double beyond_end = 0.1;
 
+// How fast the expected lean follows that of the last rows.
+constexpr double lean_update = 0.3;
+
 // Where the way to the end is shared out, no row is higher than this, in rows.
 constexpr double highest = 1.25;
 
@@ -54,7 +57,7 @@ void TubePeeling::resume() {
 
 bool TubePeeling::peel_row() {
   const RestOfTube rest =
-      rest_of_tube(peel_.state, peel_.plan, arc_, active_.cycle, peel_.row_height);
+      rest_of_tube(peel_.state, peel_.plan, arc_, active_.cycle, row_height());
   if (whole_ && rest.mean < 0.5 * peel_.row_height && rest.most < peel_.row_height)
     return false;
   const bool last = rest.near && rest.rows == 1;
@@ -64,7 +67,7 @@ bool TubePeeling::peel_row() {
     return true;
   }
   const RowLevel level =
-      rest.near ? RowLevel::part_of_rest(rest.rows, highest * peel_.row_height, peel_.plan)
+      rest.near ? RowLevel::part_of_rest(rest.rows, highest * row_height(), peel_.plan)
                 : RowLevel::of_height(rest.height);
   peel_.band.measure({&active_.cycle}, 1.2 * highest * peel_.row_height);
   Candidate c = candidate(level);
@@ -177,7 +180,7 @@ std::vector<NodeRun> TubePeeling::accept(const Candidate& c, int worthwhile) con
 }
 
 bool TubePeeling::even_out(const RestOfTube& rest) {
-  const double height = peel_.row_height, enough = (rest.rows + 0.5) * height;
+  const double height = row_height(), enough = (rest.rows + 0.5) * height;
   if (rest.most < enough) return false;
   peel_.band.measure({&active_.cycle}, 1.2 * height);
   const Candidate c = candidate(RowLevel::of_height(height));
@@ -218,6 +221,10 @@ void TubePeeling::link(Candidate& c) const {
   problem.next_length = c.next.cycle.length();
   problem.row_height = peel_.row_height;
   row.links = link_rows(problem);
+  double sum = 0.0;
+  for (const Link& l : row.links)
+    sum += std::hypot(1.0, sideways(problem, l[0], l[1]) / peel_.row_height);
+  if (!row.links.empty()) c.lean = sum / static_cast<double>(row.links.size());
 }
 
 // Links the row. A short row must not end right above the end of another: the tucks of both
@@ -295,6 +302,7 @@ void TubePeeling::add(const Candidate& c, Cycle cycle) {
 
   std::vector<ActiveNode> nodes;
   whole_ = row.runs.empty();
+  lean_ += lean_update * (c.lean - lean_);
   if (whole_) {
     for (int j = 0; j < count; ++j) nodes.push_back(above(j));
   } else {

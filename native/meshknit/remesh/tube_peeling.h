@@ -30,6 +30,7 @@ class TubePeeling {
     NextCycle next;
     std::vector<NodeImage> images;
     NextRow row;
+    double lean = 1.0;  ///< mean length of the columns over the row's height
   };
 
   /// Requires: the band is measured from the active cycle, beyond the level.
@@ -44,6 +45,8 @@ class TubePeeling {
   bool knit_into_pocket(const RowLevel& level);
   void knit_last(const RestOfTube& rest);
 
+  /// Columns lean beside shaping: rows stand so much lower that columns are 2 l_c long on average.
+  double row_height() const { return peel_.row_height / lean_; }
   double foot_of(const NextCycle& next, double place) const;
   void link(Candidate& c) const;
   void keep_turns_apart(Candidate& c) const;
@@ -54,6 +57,7 @@ class TubePeeling {
   int arc_;
   ActiveCycle active_;
   int fewest_;
+  double lean_ = 1.0;  // of the last rows
   bool whole_ = true;  // the active cycle is one closed row
 };
 
