@@ -4,6 +4,7 @@
 
 #include "meshknit/surface/refine.h"
 #include "meshknit/surface/reorder.h"
+#include "meshknit/time_field/rim_ties.h"
 #include "meshknit/time_field/unfold_saddles.h"
 
 namespace meshknit {
@@ -18,6 +19,7 @@ PeelState fine_state(const Surface& surface, const std::vector<double>& time, do
   std::vector<double> unfolded = time;
   unfold_saddles(surface.mesh, unfolded);
   RefinedMesh fine = refine_mesh(surface.mesh, unfolded, edge);
+  part_from_rims(fine.mesh, fine.value);
   reorder_by_value(fine);
   for (const int face : fine.source_face) source_face.push_back(surface.source_face[face]);
   PeelState state;

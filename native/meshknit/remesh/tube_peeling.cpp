@@ -56,6 +56,7 @@ void TubePeeling::resume() {
 }
 
 bool TubePeeling::peel_row() {
+  if (ended_) return false;
   const RestOfTube rest =
       rest_of_tube(peel_.state, peel_.plan, arc_, active_.cycle, row_height());
   if (whole_ && rest.mean < 0.5 * peel_.row_height && rest.most < peel_.row_height)
@@ -77,6 +78,10 @@ bool TubePeeling::peel_row() {
   }
   c.row.runs.clear();
   if (knit(c) || knit_into_pocket(level)) return true;
+  if (rest.near && rest.rows <= 2) {
+    knit_last(rest);
+    return true;
+  }
 
   const int vertex = peel_.state.to(c.next.cycle.crossings.front().halfedge);
   Problem problem;
@@ -117,6 +122,7 @@ void TubePeeling::knit_last(const RestOfTube& rest) {
     peel_.state.knitted[v] = 1;
   }
   add(c, c.next.cycle);
+  ended_ = true;
 }
 
 bool TubePeeling::knit(Candidate c) {
@@ -125,7 +131,7 @@ bool TubePeeling::knit(Candidate c) {
   if (short_rows && c.row.runs.empty()) return false;
   std::optional<Cycle> cycle =
       peel_.trimmer.trim(peel_.band, active_.cycle, c.next.cycle, c.level, regions(c));
-  if (!cycle || (!c.row.runs.empty() && peel_.trimmer.newly_knitted() == 0)) return false;
+  if (!cycle || peel_.trimmer.newly_knitted() == 0) return false;
   peel_.knitted += peel_.trimmer.newly_knitted();
   add(c, std::move(*cycle));
   return true;
@@ -145,7 +151,8 @@ bool TubePeeling::knit_into_pocket(const RowLevel& level) {
     if (peel_.limits.may_knit(v)) times.push_back(peel_.state.time[v]);
   std::sort(times.begin(), times.end());
   if (times.empty()) return false;
-  for (const double part : {0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1}) {
+  for (const double part : {0.97, 0.93, 0.88, 0.82, 0.75, 0.67, 0.58, 0.5, 0.42, 0.34, 0.26,
+                            0.19, 0.13, 0.08, 0.04, 0.02}) {
     const double latest = times[static_cast<std::size_t>(part * (times.size() - 1))];
     const Candidate c = candidate(level.not_later_than(latest, peel_.state));
     std::vector<double> lack;  // of height

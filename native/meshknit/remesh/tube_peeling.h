@@ -57,8 +57,9 @@ class TubePeeling {
   int arc_;
   ActiveCycle active_;
   int fewest_;
-  double lean_ = 1.0;  // of the last rows
-  bool whole_ = true;  // the active cycle is one closed row
+  double lean_ = 1.0;   // of the last rows
+  bool whole_ = true;   // the active cycle is one closed row
+  bool ended_ = false;  // the last row is knit
 };
 
 }  // namespace meshknit
