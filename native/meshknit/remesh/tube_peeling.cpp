@@ -21,6 +21,9 @@ int worthwhile_run(int count) { return std::min(count / 6, std::max(12, count / 
 // node.
 constexpr double beyond_end = 0.1;
 
+// A column that leans more than this is a flaw of its row and says nothing of the next.
+constexpr double most_lean = 1.3;
+
 // How fast the expected lean follows that of the last rows.
 constexpr double lean_update = 0.3;
 
@@ -125,9 +128,13 @@ void TubePeeling::knit_last(const RestOfTube& rest) {
   ended_ = true;
 }
 
-bool TubePeeling::knit(Candidate c) {
+bool TubePeeling::knit(Candidate c, Turns turns) {
   const bool short_rows = !c.row.runs.empty();
-  keep_turns_apart(c);
+  if (turns == Turns::apart)
+    keep_turns_apart(c);
+  else
+    link(c);
+  if (c.row.links.empty()) return false;
   if (short_rows && c.row.runs.empty()) return false;
   std::optional<Cycle> cycle =
       peel_.trimmer.trim(peel_.band, active_.cycle, c.next.cycle, c.level, regions(c));
@@ -137,10 +144,10 @@ bool TubePeeling::knit(Candidate c) {
   return true;
 }
 
-bool TubePeeling::knit_runs(const Candidate& c, std::vector<NodeRun> runs) {
+bool TubePeeling::knit_runs(const Candidate& c, std::vector<NodeRun> runs, Turns turns) {
   Candidate some = c;
   some.row.runs = std::move(runs);
-  return knit(std::move(some));
+  return knit(std::move(some), turns);
 }
 
 bool TubePeeling::knit_into_pocket(const RowLevel& level) {
@@ -157,12 +164,13 @@ bool TubePeeling::knit_into_pocket(const RowLevel& level) {
     const Candidate c = candidate(level.not_later_than(latest, peel_.state));
     std::vector<double> lack;  // of height
     for (const double place : c.row.place)
-      lack.push_back(least_height * peel_.row_height -
+      lack.push_back(least_height * row_height() -
                      c.next.cycle.value(c.next.cycle.at(place), c.next.gap));
     const std::vector<double> gains(lack.size(), 0.0);
     std::vector<NodeRun> runs =
         accept_by_time(lack, gains, 0.0, fewest_in_short_row, fewest_in_short_row);
-    if (!runs.empty() && knit_runs(c, std::move(runs))) return true;
+    if (!runs.empty() && (knit_runs(c, runs) || knit_runs(c, runs, Turns::anywhere)))
+      return true;
   }
   return false;
 }
@@ -230,7 +238,8 @@ void TubePeeling::link(Candidate& c) const {
   row.links = link_rows(problem);
   double sum = 0.0;
   for (const Link& l : row.links)
-    sum += std::hypot(1.0, sideways(problem, l[0], l[1]) / peel_.row_height);
+    sum +=
+        std::min(most_lean, std::hypot(1.0, sideways(problem, l[0], l[1]) / peel_.row_height));
   if (!row.links.empty()) c.lean = sum / static_cast<double>(row.links.size());
 }
 

@@ -38,9 +38,11 @@ class TubePeeling {
   std::vector<NodeRun> accept(const Candidate& c, int worthwhile) const;
   /// Near the end: a short row where the end is further away than elsewhere, if any is worth it.
   bool even_out(const RestOfTube& rest);
+  /// Whether a short row may end right above the end of another.
+  enum class Turns { apart, anywhere };
   /// Links, trims and adds the row; false if its runs cannot be knit.
-  bool knit(Candidate c);
-  bool knit_runs(const Candidate& c, std::vector<NodeRun> runs);
+  bool knit(Candidate c, Turns turns = Turns::apart);
+  bool knit_runs(const Candidate& c, std::vector<NodeRun> runs, Turns turns = Turns::apart);
   /// Where a whole row would close off a part that is still to be knit: short rows into that part.
   bool knit_into_pocket(const RowLevel& level);
   void knit_last(const RestOfTube& rest);
