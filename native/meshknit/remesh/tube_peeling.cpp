@@ -80,7 +80,7 @@ bool TubePeeling::peel_row() {
     if (!c.row.runs.empty() && knit_runs(c, c.row.runs)) return true;
   }
   c.row.runs.clear();
-  if (knit(c) || knit_into_pocket(level)) return true;
+  if (knit(c) || knit_into_pocket(level) || knit(c, Turns::apart, large_pocket)) return true;
   if (rest.near && rest.rows <= 2) {
     knit_last(rest);
     return true;
@@ -128,7 +128,7 @@ void TubePeeling::knit_last(const RestOfTube& rest) {
   ended_ = true;
 }
 
-bool TubePeeling::knit(Candidate c, Turns turns) {
+bool TubePeeling::knit(Candidate c, Turns turns, std::size_t largest_pocket) {
   const bool short_rows = !c.row.runs.empty();
   if (turns == Turns::apart)
     keep_turns_apart(c);
@@ -136,8 +136,8 @@ bool TubePeeling::knit(Candidate c, Turns turns) {
     link(c);
   if (c.row.links.empty()) return false;
   if (short_rows && c.row.runs.empty()) return false;
-  std::optional<Cycle> cycle =
-      peel_.trimmer.trim(peel_.band, active_.cycle, c.next.cycle, c.level, regions(c));
+  std::optional<Cycle> cycle = peel_.trimmer.trim(peel_.band, active_.cycle, c.next.cycle,
+                                                  c.level, regions(c), largest_pocket);
   if (!cycle || peel_.trimmer.newly_knitted() == 0) return false;
   peel_.knitted += peel_.trimmer.newly_knitted();
   add(c, std::move(*cycle));

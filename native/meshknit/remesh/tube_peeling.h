@@ -41,7 +41,7 @@ class TubePeeling {
   /// Whether a short row may end right above the end of another.
   enum class Turns { apart, anywhere };
   /// Links, trims and adds the row; false if its runs cannot be knit.
-  bool knit(Candidate c, Turns turns = Turns::apart);
+  bool knit(Candidate c, Turns turns = Turns::apart, std::size_t largest_pocket = small_pocket);
   bool knit_runs(const Candidate& c, std::vector<NodeRun> runs, Turns turns = Turns::apart);
   /// Where a whole row would close off a part that is still to be knit: short rows into that part.
   bool knit_into_pocket(const RowLevel& level);
