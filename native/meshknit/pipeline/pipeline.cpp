@@ -52,9 +52,11 @@ CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>&
   const TimeFieldCheck field = check_time_field(surface, time);
   if (has_errors(field.problems)) throw NotKnittable(field.problems);
   CheckedGraph result;
-  result.graph = remesh(surface, time, options, run);
+  Problems warnings;
+  result.graph = remesh(surface, time, options, run, &warnings);
   result.check = check_knit_graph(result.graph);
   keep_promise("Remeshing", result.check.problems);
+  result.check.problems.insert(result.check.problems.end(), warnings.begin(), warnings.end());
   result.stats = measure_graph(result.graph);
   warn_of_poor_fit(result);
   return result;

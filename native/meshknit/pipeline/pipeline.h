@@ -21,7 +21,8 @@ namespace meshknit {
 // checkers that tests call. All throw NotKnittable for the model's faults, BrokenPromise
 // (naming the stage and the check) for ours, and Cancelled.
 
-/// `check` also warns ("poor-fit") where many edges are far from the stitch's size.
+/// `check` also warns where many edges are far from the stitch's size ("poor-fit") and of parts that
+/// no row could reach into ("part-left-out").
 struct CheckedGraph {
   KnitGraph graph;
   KnitGraphCheck check;  ///< without errors

@@ -36,6 +36,7 @@ struct Peel {
   GraphBuilder builder;
   std::vector<int> piece_of_edge;  ///< scratch of place_nodes
   int knitted = 0;                 ///< vertices
+  std::vector<Trimmer::Pocket> left_out;
 
   /// Faces of the input near an open vertex, for problems to name.
   std::vector<int> faces_near(int vertex) const;

@@ -107,6 +107,32 @@ void Peeling::begin_tube(int arc, ActiveCycle active) {
   if (tubes_.size() == 1) tubes_.front().resume();
 }
 
+Problems Peeling::warnings() const {
+  constexpr double dozen = 12.0;
+  double area = 0.0;
+  for (const auto f : peel_.state.mesh.faces()) area += peel_.state.mesh.calc_face_area(f);
+  const double nodes_a_vertex = area / static_cast<double>(peel_.state.mesh.n_vertices()) /
+                                (peel_.options.stitch_width * peel_.row_height);
+  Problems problems;
+  for (const Trimmer::Pocket& pocket : peel_.left_out) {
+    const double nodes = pocket.vertices * nodes_a_vertex;
+    if (nodes < dozen) continue;
+    Problem problem;
+    problem.code = "part-left-out";
+    problem.severity = Severity::warning;
+    problem.message = "Near " + place_text(peel_.state.point(pocket.vertex)) +
+                      " a part of about " + std::to_string(std::lround(2.0 * nodes)) +
+                      " stitches is too thin or too steep for rows of this gauge; the fabric "
+                      "goes straight over it.";
+    problem.remedy =
+        "Make an opening at its tip with a time of its own, make it wider or shorter, or take "
+        "finer stitches.";
+    problem.elements.faces = peel_.faces_near(pocket.vertex);
+    problems.push_back(problem);
+  }
+  return problems;
+}
+
 KnitGraph Peeling::take_graph(const std::function<void(double)>& progress) {
   KnitGraph& graph = peel_.builder.graph();
   std::vector<int>& faces = peel_.builder.faces();

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "meshknit/core/problem.h"
 #include "meshknit/remesh/peel.h"
 #include "meshknit/remesh/tube_peeling.h"
 
@@ -21,6 +22,8 @@ class Peeling {
   double progress() const;  ///< fraction of the surface that is knitted
   /// The next row, or the rows at the next start or saddle.
   void step();
+  /// "part-left-out": parts of a dozen stitches and more that no row could reach into.
+  Problems warnings() const;
   /// Relaxes (if the options say so) and measures the graph.
   /// Requires: done(). Call once. `progress` as in relaxation.h.
   KnitGraph take_graph(const std::function<void(double)>& progress = {});

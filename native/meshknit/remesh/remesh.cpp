@@ -66,7 +66,7 @@ void require_some_rows(const Surface& surface, const RemeshOptions& options) {
 }  // namespace
 
 KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
-                 const RemeshOptions& options, RunContext* run) {
+                 const RemeshOptions& options, RunContext* run, Problems* warnings) {
   if (time.size() != surface.mesh.n_vertices())
     throw InvalidInput("remesh: one time per mesh vertex is needed");
   if (!(options.stitch_width > 0.0) || !(options.stitch_height > 0.0))
@@ -79,6 +79,7 @@ KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
     report(run, share_of_peeling * peeling.progress());
     peeling.step();
   }
+  if (warnings) *warnings = peeling.warnings();
   KnitGraph graph = peeling.take_graph([&](double fraction) {
     report(run, share_of_peeling + (1.0 - share_of_peeling) * fraction);
   });

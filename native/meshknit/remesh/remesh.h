@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "meshknit/core/problem.h"
 #include "meshknit/core/run_context.h"
 #include "meshknit/knit_graph/knit_graph.h"
 #include "meshknit/surface/surface.h"
@@ -24,8 +25,10 @@ struct RemeshOptions {
 /// Throws: NotKnittable ("too-many-stitches" for sizes that are nearly always a wrong unit,
 /// "too-flat" for less than two rows, "splits-here" and "junction-too-tight" for parts too thin for
 /// the gauge, with the place); InvalidInput; Cancelled.
-/// Ensures: check_knit_graph(result) has no errors.
+/// Ensures: check_knit_graph(result) has no errors. `warnings` (if wanted) says which parts rows
+/// could not reach into ("part-left-out").
 KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
-                 const RemeshOptions& options = {}, RunContext* run = nullptr);
+                 const RemeshOptions& options = {}, RunContext* run = nullptr,
+                 Problems* warnings = nullptr);
 
 }  // namespace meshknit

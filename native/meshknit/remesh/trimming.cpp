@@ -39,6 +39,7 @@ std::optional<Cycle> Trimmer::trim(const GeodesicBand& band, const Cycle& active
   const auto depth = [&](int v) {
     return regions.empty() ? length : inside_by(regions, band.foot(v), part(v), length);
   };
+  pockets_.clear();
   std::vector<int> knitted_now;
   for (const int v : band.reached())
     if (limits_.may_knit(v) && part(v) < 1.0 && depth(v) > 0.0) knitted_now.push_back(v);
@@ -140,10 +141,12 @@ bool Trimmer::close_pocket(const Cycle& island, std::size_t largest_pocket,
       pocket.push_back(w);
     }
   }
-  if (small)
+  if (small) {
+    pockets_.push_back({pocket.back(), static_cast<int>(pocket.size())});
     knitted_now.insert(knitted_now.end(), pocket.begin(), pocket.end());
-  else
+  } else {
     for (const int v : pocket) state_.knitted[v] = 0;
+  }
   return small;
 }
 

@@ -18,7 +18,7 @@ struct TrimRegion {
 
 /// Vertices of the fine mesh: pockets of a few stitches, which are flaws of a row, and the largest
 /// part of an object that is knitted over where no row can reach into it.
-inline constexpr std::size_t small_pocket = 250, large_pocket = 400;
+inline constexpr std::size_t small_pocket = 250, large_pocket = 800;
 
 /// Marks the surface between the active cycle and an accepted row as knitted, and finds the new
 /// active cycle (paper, 3.2.4) by labels: the mesh is not cut.
@@ -33,6 +33,12 @@ class Trimmer {
                             const RowLevel& level, const std::vector<TrimRegion>& regions,
                             std::size_t largest_pocket = small_pocket);
 
+  /// A part that was knitted over: a vertex far inside it, and how many it has.
+  struct Pocket {
+    int vertex = -1, vertices = 0;
+  };
+  /// Those of the last trim().
+  const std::vector<Pocket>& pockets() const { return pockets_; }
   /// Vertices that the last trim() knitted.
   int newly_knitted() const { return newly_knitted_; }
 
@@ -47,6 +53,7 @@ class Trimmer {
   const KnitLimits& limits_;
   std::vector<char> seen_;  // per edge
   int newly_knitted_ = 0;
+  std::vector<Pocket> pockets_;
 };
 
 }  // namespace meshknit

@@ -140,6 +140,8 @@ bool TubePeeling::knit(Candidate c, Turns turns, std::size_t largest_pocket) {
                                                   c.level, regions(c), largest_pocket);
   if (!cycle || peel_.trimmer.newly_knitted() == 0) return false;
   peel_.knitted += peel_.trimmer.newly_knitted();
+  peel_.left_out.insert(peel_.left_out.end(), peel_.trimmer.pockets().begin(),
+                        peel_.trimmer.pockets().end());
   add(c, std::move(*cycle));
   return true;
 }
@@ -158,20 +160,19 @@ bool TubePeeling::knit_into_pocket(const RowLevel& level) {
     if (peel_.limits.may_knit(v)) times.push_back(peel_.state.time[v]);
   std::sort(times.begin(), times.end());
   if (times.empty()) return false;
-  for (const double part : {0.97, 0.93, 0.88, 0.82, 0.75, 0.67, 0.58, 0.5, 0.42, 0.34, 0.26,
-                            0.19, 0.13, 0.08, 0.04, 0.02}) {
-    const double latest = times[static_cast<std::size_t>(part * (times.size() - 1))];
-    const Candidate c = candidate(level.not_later_than(latest, peel_.state));
-    std::vector<double> lack;  // of height
-    for (const double place : c.row.place)
-      lack.push_back(least_height * row_height() -
-                     c.next.cycle.value(c.next.cycle.at(place), c.next.gap));
-    const std::vector<double> gains(lack.size(), 0.0);
-    std::vector<NodeRun> runs =
-        accept_by_time(lack, gains, 0.0, fewest_in_short_row, fewest_in_short_row);
-    if (!runs.empty() && (knit_runs(c, runs) || knit_runs(c, runs, Turns::anywhere)))
-      return true;
-  }
+  for (const Turns turns : {Turns::apart, Turns::anywhere})
+    for (int percent = 97; percent > 0; percent -= 5) {
+      const double latest = times[percent * (times.size() - 1) / 100];
+      const Candidate c = candidate(level.not_later_than(latest, peel_.state));
+      std::vector<double> lack;  // of height
+      for (const double place : c.row.place)
+        lack.push_back(least_height * row_height() -
+                       c.next.cycle.value(c.next.cycle.at(place), c.next.gap));
+      const std::vector<double> gains(lack.size(), 0.0);
+      std::vector<NodeRun> runs =
+          accept_by_time(lack, gains, 0.0, fewest_in_short_row, fewest_in_short_row);
+      if (!runs.empty() && knit_runs(c, std::move(runs), turns)) return true;
+    }
   return false;
 }
 
