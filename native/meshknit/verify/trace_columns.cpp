@@ -56,6 +56,7 @@ class ColumnFinder {
     previous_.push_back(column);
     used_.push_back(s);
     joined_.push_back(-1);
+    child_.push_back(-1);
     return column;
   }
 
@@ -71,6 +72,12 @@ class ColumnFinder {
     return added;
   }
 
+  void hang(const ExpectedLoop& loop, int column) {
+    const std::vector<int>& children = trace_.stitches[loop.stitch].children;
+    found_.of[loop.stitch][loop.which] = column;
+    child_[column] = children.empty() ? -1 : children[loop.which];
+  }
+
   void start(int s) {
     int& at = yarn_at_[trace_.stitches[s].yarn];
     const int last = last_of_yarn_[trace_.stitches[s].yarn];
@@ -78,7 +85,7 @@ class ColumnFinder {
     if (!goes_on) ++cast_ons_;
     found_.cast_on[s] = cast_ons_ - 1;
     at = goes_on ? new_column_ahead(at, s) : new_column(s);
-    found_.of[s][0] = at;
+    hang({s, 0}, at);
   }
 
   // The column of the loop that a tuck lies on: the stitch above names it right before the tuck.
@@ -107,11 +114,11 @@ class ColumnFinder {
       }
     }
     if (first < 0) return;
-    found_.of[s][0] = first;
+    hang({s, 0}, first);
     if (trace_.stitches[s].kind != StitchKind::increase) return;
     int& at = yarn_at_[trace_.stitches[s].yarn];
     at = new_column_ahead(first, s);
-    found_.of[s][1] = at;
+    hang({s, 1}, at);
   }
 
   void end_column(int column, int into, int s) {
@@ -128,10 +135,23 @@ class ColumnFinder {
     int& at = yarn_at_[trace_.stitches[s].yarn];
     const int from = live(at);
     if (to >= 0 && from >= 0 && from != to) {
-      if (ahead(from, s) != to) join(s, from, to);
-      used_[anticlockwise(s) ? from : to] = s;
+      int beside = from;
+      if (ahead(from, s) != to && ahead(ahead(from, s), s) == to &&
+          decreased(from, ahead(from, s))) {
+        beside = ahead(from, s);
+        use(from, beside, s);
+      }
+      if (ahead(beside, s) != to) join(s, beside, to);
+      use(beside, to, s);
     }
     at = to;
+  }
+
+  void use(int from, int to, int s) { used_[anticlockwise(s) ? from : to] = s; }
+
+  // One stitch is still to be knit through both. The yarn that climbs beside it passes both.
+  bool decreased(int column, int other) const {
+    return child_[column] >= 0 && child_[column] == child_[other];
   }
 
   void join(int s, int from, int to) {
@@ -154,6 +174,7 @@ class ColumnFinder {
   TraceColumns found_;
   std::vector<int> next_, previous_;  // column -> its neighbours anticlockwise and clockwise
   std::vector<int> used_;    // column -> last stitch to use or make its `next_` neighbourhood
+  std::vector<int> child_;   // column -> stitch that is to be knit through its loop
   std::vector<int> joined_;  // column -> the one that a decrease took it into
   std::vector<int> yarn_at_, last_of_yarn_;  // yarn -> column, stitch
   int cast_ons_ = 0;
