@@ -19,11 +19,11 @@ void check_end(const Fabric& fabric, const Loop& loop, int stitch, ProblemLog& l
 }  // namespace
 
 void check_loop_fates(const Fabric& fabric, const StitchTrace& trace,
-                      const std::vector<int>& stitch_of, ProblemLog& log) {
+                      const std::vector<ExpectedLoop>& items, ProblemLog& log) {
   for (std::size_t id = 0; id < fabric.loops.size(); ++id) {
     const Loop& loop = fabric.loops[id];
     if (!is_object(loop)) continue;
-    const int stitch = stitch_of[id];
+    const int stitch = items[id].stitch;
     if (stitch >= 0 && trace.stitches[stitch].kind == StitchKind::end) {
       check_end(fabric, loop, stitch, log);
       continue;
