@@ -58,23 +58,34 @@ class BedWalk {
     return static_cast<size_t>(std::find(held_->begin(), held_->end(), tube) - held_->begin());
   }
 
-  // What walls and neighbours leave for a tube.
-  PlaceRange free_places(size_t row) const { return between(row, kFreeBetween, walls_); }
-  // What its transfers may use.
-  PlaceRange room(size_t row) const { return between(row, 0, kAnywhere); }
+  // The nearest tube that hangs on that side; -1 for none.
+  int neighbour(size_t row, bool right) const {
+    for (size_t at = right ? row + 1 : row - 1; at < held_->size(); right ? ++at : --at)
+      if (hung_[(*held_)[at]].hangs) return (*held_)[at];
+    return -1;
+  }
 
-  PlaceRange between(size_t row, int apart, PlaceRange range) const {
-    for (size_t left = row; left-- > 0;)
-      if (hung_[(*held_)[left]].hangs) {
-        range.lowest = std::max(range.lowest, places((*held_)[left]).highest + 1 + apart);
-        break;
-      }
-    for (size_t right = row + 1; right < held_->size(); ++right)
-      if (hung_[(*held_)[right]].hangs) {
-        range.highest = std::min(range.highest, places((*held_)[right]).lowest - 1 - apart);
-        break;
-      }
-    return range;
+  // By how much a layout in this row may move so that walls and neighbours leave it room.
+  OffsetChoice free_offsets(size_t row, const BedLayout& layout) const {
+    const PlaceRange own = places_of(layout);
+    OffsetChoice free{walls_.lowest - own.lowest, walls_.highest - own.highest, 0};
+    if (const int left = neighbour(row, false); left >= 0)
+      free.lowest =
+          std::max(free.lowest, kFreeBetween - places_between(hung_[left].layout, layout));
+    if (const int right = neighbour(row, true); right >= 0)
+      free.highest =
+          std::min(free.highest, places_between(layout, hung_[right].layout) - kFreeBetween);
+    return free;
+  }
+
+  // What the tube's transfers may use: its own places, and those up to its neighbours.
+  PlaceRange room(size_t row, const PlacedStep& step) const {
+    PlaceRange range = kAnywhere;
+    if (const int left = neighbour(row, false); left >= 0)
+      range.lowest = places(left).highest + 1;
+    if (const int right = neighbour(row, true); right >= 0)
+      range.highest = places(right).lowest - 1;
+    return unite(range, unite(places_of(step.before), places_of(step.after)));
   }
 
   void hang(int tube, BedLayout layout, int place) {
@@ -103,19 +114,15 @@ class BedWalk {
 
   void start(int tube) {
     const BedLayout& layout = layouts_[tube].layouts.front();
-    BedLayout at_zero = layout;
-    at_zero.place = 0;
-    const PlaceRange extent = places_of(at_zero);
     const size_t row = row_of(tube);
-    PlaceRange range = free_places(row);
-    if (width(range) < width(extent)) range = make_room(row, width(extent));
+    OffsetChoice free = free_offsets(row, layout);
+    if (free.lowest > free.highest) free = make_room(row, layout);
     // Beside the neighbour, if there is one on one side only.
-    int wanted = (start_middle_ - middle(extent)) / 2;
+    int wanted = (start_middle_ - middle(places_of(layout))) / 2;
     const bool left = row > 0, right = row + 1 < held_->size();
-    if (left) wanted = range.lowest - extent.lowest;
-    if (right && !left) wanted = range.highest - extent.highest;
-    hang(tube, layout,
-         std::clamp(wanted, range.lowest - extent.lowest, range.highest - extent.highest));
+    if (left) wanted = free.lowest;
+    if (right && !left) wanted = free.highest;
+    hang(tube, layout, layout.place + std::clamp(wanted, free.lowest, free.highest));
   }
 
   void part(const Connection& connection, int left) {
@@ -153,9 +160,9 @@ class BedWalk {
       const int now = std::clamp(places_on, -kFurthest, kFurthest);
       PlacedStep move;
       move.tube = tube;
-      move.room = room(row_of(tube));
       move.before = move.after = hung_[tube].layout;
       move.after.place += now;
+      move.room = room(row_of(tube), move);
       hung_[tube].layout = move.after;
       hung_[tube].wanted_middle += 2 * now;
       use(places_of(move.after));
@@ -169,38 +176,39 @@ class BedWalk {
     int stacks = 0;
     for (size_t at = row; at < held_->size() && distance > 0; right ? ++at : --at) {
       stacks += hung_[(*held_)[at]].layout.slots;
-      const PlaceRange range = free_places(at);
-      const PlaceRange own = places((*held_)[at]);
-      distance -= right ? range.highest - own.highest : own.lowest - range.lowest;
+      distance -= free_way(at, right);
     }
     return stacks;
+  }
+
+  // How far the tube in this row can move without pushing another.
+  int free_way(size_t row, bool right) const {
+    const OffsetChoice free = free_offsets(row, hung_[(*held_)[row]].layout);
+    return std::max(0, right ? free.highest : -free.lowest);
   }
 
   // How far a row of tubes from `row` on can move until it stands at the wall.
   int way_to_wall(size_t row, bool right) const {
     int way = 0;
-    for (size_t at = row; at < held_->size(); right ? ++at : --at) {
-      const PlaceRange range = free_places(at);
-      const PlaceRange own = places((*held_)[at]);
-      way += std::max(0, right ? range.highest - own.highest : own.lowest - range.lowest);
-    }
+    for (size_t at = row; at < held_->size(); right ? ++at : --at) way += free_way(at, right);
     return way;
   }
 
   // Moves the tube in this row, and those behind it that are in its way.
   void push(size_t row, bool right, int distance) {
-    const int tube = (*held_)[row];
-    const PlaceRange range = free_places(row), own = places(tube);
-    const int free = right ? range.highest - own.highest : own.lowest - range.lowest;
+    const int free = free_way(row, right);
     const size_t next = right ? row + 1 : row - 1;
     if (free < distance && next < held_->size()) push(next, right, distance - free);
-    shift(tube, right ? distance : -distance);
+    shift((*held_)[row], right ? distance : -distance);
   }
 
-  // Pushes neighbours away until `wanted` places are free between them.
-  PlaceRange make_room(size_t row, int wanted) {
+  // Pushes neighbours away until the layout has room between them.
+  OffsetChoice make_room(size_t row, const BedLayout& layout) {
     result_.optimal = false;
-    const auto missing = [&] { return wanted - width(free_places(row)); };
+    const auto missing = [&] {
+      const OffsetChoice free = free_offsets(row, layout);
+      return free.lowest - free.highest;
+    };
     const bool can_left = row > 0, can_right = row + 1 < held_->size();
     bool right = can_right;
     if (can_left && can_right)
@@ -208,10 +216,10 @@ class BedWalk {
               stacks_in_the_way(row - 1, false, missing());
     for (const bool way : {right, !right}) {
       if (missing() <= 0 || !(way ? can_right : can_left)) continue;
-      const size_t neighbour = way ? row + 1 : row - 1;
-      push(neighbour, way, std::min(missing(), way_to_wall(neighbour, way)));
+      const size_t beside = way ? row + 1 : row - 1;
+      push(beside, way, std::min(missing(), way_to_wall(beside, way)));
     }
-    return free_places(row);
+    return free_offsets(row, layout);
   }
 
   void knit(int tube, int step) {
@@ -223,12 +231,9 @@ class BedWalk {
     BedLayout next = changes ? own.layouts[hung.changes + 1] : hung.layout;
     next.place = hung.layout.place;
     const size_t row = row_of(tube);
-    PlaceRange range = free_places(row);
-    if (width(range) < width(places_of(next))) range = make_room(row, width(places_of(next)));
-
-    const PlaceRange unmoved = places_of(next);
-    OffsetChoice choice{range.lowest - unmoved.lowest, range.highest - unmoved.highest, 0};
-    choice.liked = liked_offset(tube, row, unmoved, choice);
+    OffsetChoice choice = free_offsets(row, next);
+    if (choice.lowest > choice.highest) choice = make_room(row, next);
+    choice.liked = liked_offset(tube, row, places_of(next), choice);
     placed.tube = tube;
     placed.step = step;
     placed.before = hung.layout;
@@ -242,7 +247,7 @@ class BedWalk {
       next.place += std::clamp(0, choice.lowest, choice.highest);
     }
     placed.after = next;
-    placed.room = room(row);
+    placed.room = room(row, placed);
     hung.layout = next;
     use(places_of(next));
     result_.steps.push_back(placed);

@@ -113,28 +113,34 @@ class Checker {
           "begins a step on other loops or places than the step before left");
   }
 
-  // Nothing else hangs where the step may move its loops, and a place stays free between tubes
-  // that are knit.
+  // A place stays free beside tubes that are knit, and the room of a step is its own but for what
+  // touches the tube on the other bed, where tubes part or meet.
   void check_room(const ScheduleStep& step) {
-    int lowest = step.lowest_place, highest = step.highest_place;
+    Beds own;
     for (const std::vector<Hook>* hooks : {&step.before_hooks, &step.moved_hooks})
-      for (const Hook& hook : *hooks)
-        if (hook.n < lowest || hook.n > highest)
+      for (const Hook& hook : *hooks) {
+        own[hook] = {};
+        if (hook.n < step.lowest_place || hook.n > step.highest_place)
           return add("no-room", step.first_stitch,
                      "needs " + text(hook) + ", which is not in the room of its step");
-    const bool knits = step.last_stitch >= step.first_stitch;
-    if (knits) {
-      for (const auto& hanging : tube_) {
-        lowest = std::min(lowest, hanging.first.n - kFreeBetween);
-        highest = std::max(highest, hanging.first.n + kFreeBetween);
       }
-    }
     for (const Bed bed : {Bed::front, Bed::back}) {
-      const auto found = beds_.lower_bound(Hook{bed, lowest});
-      if (found != beds_.end() && found->first.bed == bed && found->first.n <= highest)
-        add("no-room", step.first_stitch,
-            "begins a step that comes too close to the tube on " + text(found->first));
+      for (auto other = beds_.lower_bound(Hook{bed, step.lowest_place});
+           other != beds_.end() && other->first.bed == bed &&
+           other->first.n <= step.highest_place;
+           ++other)
+        if (own.count(Hook{opposite(bed), other->first.n}) == 0) too_close(step, other->first);
+      if (step.last_stitch < step.first_stitch) continue;
+      for (const auto& hanging : tube_)
+        for (int n = hanging.first.n - kFreeBetween; n <= hanging.first.n + kFreeBetween; ++n)
+          if (hanging.first.bed == bed && beds_.count(Hook{bed, n}) > 0)
+            return too_close(step, Hook{bed, n});
     }
+  }
+
+  void too_close(const ScheduleStep& step, const Hook& other) {
+    add("no-room", step.first_stitch,
+        "begins a step that comes too close to the tube on " + text(other));
   }
 
   void take_off(const TubeEnd& end) {
