@@ -2,23 +2,18 @@
 
 #include <algorithm>
 
+#include "meshknit/schedule/bed_row.h"
 #include "meshknit/schedule/layout_cost.h"
 
 namespace meshknit {
 namespace {
 
 constexpr int kFreePlaces = 4;  // at each end of the bed
-constexpr PlaceRange kAnywhere{-100000, 100000};
-constexpr int kFurthest = 2;  // places that one racking moves a whole tube
 
 // Twice the middle, so that it stays an integer.
 int middle(const PlaceRange& range) { return range.lowest + range.highest; }
 
 int width(const PlaceRange& range) { return range.highest - range.lowest + 1; }
-
-PlaceRange unite(const PlaceRange& a, const PlaceRange& b) {
-  return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest)};
-}
 
 class BedWalk {
  public:
@@ -29,80 +24,27 @@ class BedWalk {
         connections_(connections),
         order_(order),
         layouts_(layouts),
-        walls_(walls),
         start_middle_(start_middle),
-        hung_(tubes.tubes.size()) {}
+        bed_(tubes.tubes.size(), walls),
+        changes_(tubes.tubes.size(), 0) {}
 
   PlacedTubes run() {
-    for (size_t turn = 0; turn < tubes_.turns.size(); ++turn) {
-      held_ = &order_.held[turn];
-      const SteppedTubes::Turn& at = tubes_.turns[turn];
+    for (; turn_ < tubes_.turns.size(); ++turn_) {
+      const SteppedTubes::Turn& at = tubes_.turns[turn_];
       if (at.step == 0) begin(at.tube);
+      bed_.set_order(order_.held[turn_]);
       knit(at.tube, at.step);
+      const TubeSteps& tube = tubes_.tubes[at.tube];
+      const bool last = at.step + 1 == static_cast<int>(tube.steps.size());
+      if (last && tube.above.empty()) bed_.take_off(at.tube);
     }
-    return std::move(result_);
+    return {bed_.take_steps(), best_moves_ && !bed_.pushed()};
   }
 
-  const PlaceRange& used() const { return used_; }
+  const PlaceRange& used() const { return bed_.used(); }
 
  private:
-  struct Hung {
-    BedLayout layout;
-    int changes = 0;        // of its layout so far
-    int wanted_middle = 0;  // twice
-    bool hangs = false;
-  };
-
-  PlaceRange places(int tube) const { return places_of(hung_[tube].layout); }
-  size_t row_of(int tube) const {
-    return static_cast<size_t>(std::find(held_->begin(), held_->end(), tube) - held_->begin());
-  }
-
-  // The nearest tube that hangs on that side; -1 for none.
-  int neighbour(size_t row, bool right) const {
-    for (size_t at = right ? row + 1 : row - 1; at < held_->size(); right ? ++at : --at)
-      if (hung_[(*held_)[at]].hangs) return (*held_)[at];
-    return -1;
-  }
-
-  // By how much a layout in this row may move so that walls and neighbours leave it room.
-  OffsetChoice free_offsets(size_t row, const BedLayout& layout) const {
-    const PlaceRange own = places_of(layout);
-    OffsetChoice free{walls_.lowest - own.lowest, walls_.highest - own.highest, 0};
-    if (const int left = neighbour(row, false); left >= 0)
-      free.lowest =
-          std::max(free.lowest, kFreeBetween - places_between(hung_[left].layout, layout));
-    if (const int right = neighbour(row, true); right >= 0)
-      free.highest =
-          std::min(free.highest, places_between(layout, hung_[right].layout) - kFreeBetween);
-    return free;
-  }
-
-  // What the tube's transfers may use: its own places, and those up to its neighbours.
-  PlaceRange room(size_t row, const PlacedStep& step) const {
-    PlaceRange range = kAnywhere;
-    if (const int left = neighbour(row, false); left >= 0)
-      range.lowest = places(left).highest + 1;
-    if (const int right = neighbour(row, true); right >= 0)
-      range.highest = places(right).lowest - 1;
-    return unite(range, unite(places_of(step.before), places_of(step.after)));
-  }
-
-  void hang(int tube, BedLayout layout, int place) {
-    layout.place = place;
-    hung_[tube].layout = layout;
-    hung_[tube].hangs = true;
-    hung_[tube].wanted_middle = middle(places_of(layout));
-    use(places_of(layout));
-  }
-
-  void use(const PlaceRange& range) {
-    used_ = any_used_ ? unite(used_, range) : range;
-    any_used_ = true;
-  }
-
   void begin(int tube) {
-    if (hung_[tube].hangs) return;  // the other part of a split has begun before
     if (tubes_.tubes[tube].below.empty()) return start(tube);
     for (size_t c = 0; c < connections_.size(); ++c) {
       const Connection& connection = connections_[c];
@@ -113,173 +55,114 @@ class BedWalk {
   }
 
   void start(int tube) {
-    const BedLayout& layout = layouts_[tube].layouts.front();
-    const size_t row = row_of(tube);
-    OffsetChoice free = free_offsets(row, layout);
-    if (free.lowest > free.highest) free = make_room(row, layout);
-    // Beside the neighbour, if there is one on one side only.
+    bed_.set_order(order_.held[turn_]);
+    BedLayout layout = layouts_[tube].layouts.front();
+    const size_t row = bed_.row_of(tube);
+    OffsetChoice free = bed_.free_offsets(row, layout);
+    if (free.lowest > free.highest) free = bed_.make_room(row, layout);
     int wanted = (start_middle_ - middle(places_of(layout))) / 2;
-    const bool left = row > 0, right = row + 1 < held_->size();
-    if (left) wanted = free.lowest;
-    if (right && !left) wanted = free.highest;
-    hang(tube, layout, layout.place + std::clamp(wanted, free.lowest, free.highest));
+    if (row > 0) {
+      wanted = free.lowest + places_between_later(row - 1);
+    } else if (bed_.order().size() > 1) {
+      wanted = free.highest - places_between_later(row);
+    }
+    layout.place += std::clamp(wanted, free.lowest, free.highest);
+    bed_.hang(tube, layout);
+  }
+
+  // Places that tubes will need which start between this row and the next while both hang.
+  int places_between_later(size_t row) const {
+    const int left = bed_.order()[row], right = bed_.order()[row + 1];
+    int most = 0;
+    for (size_t turn = turn_ + 1; turn < order_.held.size(); ++turn) {
+      const std::vector<int>& held = order_.held[turn];
+      const auto from = std::find(held.begin(), held.end(), left);
+      const auto to = std::find(from, held.end(), right);
+      if (to == held.end()) break;
+      int places = 0;
+      for (auto tube = from + 1; tube < to; ++tube)
+        places += width(places_of(layouts_[*tube].layouts.front())) + kFreeBetween;
+      most = std::max(most, places);
+    }
+    return most;
   }
 
   void part(const Connection& connection, int left) {
     const ConnectionLayout layout = connection_layout(connection, left);
-    Hung& whole = hung_[connection.whole];
-    for (const int p : {0, 1})
-      hang(connection.parts[p], layout.parts[p], whole.layout.place + layout.parts[p].place);
-    whole.hangs = false;
+    const int place = bed_.layout(connection.whole).place;
+    bed_.take_off(connection.whole);
+    for (const int p : {0, 1}) {
+      BedLayout own = layout.parts[p];
+      own.place += place;
+      bed_.hang(connection.parts[p], own);
+    }
   }
 
+  // The order is still that of the step before, with both parts in it.
   void meet(const Connection& connection, int left) {
     const ConnectionLayout layout = connection_layout(connection, left);
     const int x = connection.parts[left], y = connection.parts[1 - left];
-    // The row of tubes knows the whole already; its parts stand in for it.
-    std::vector<int> row = *held_;
-    const auto whole = std::find(row.begin(), row.end(), connection.whole);
-    *whole = y;
-    row.insert(whole, x);
-    const std::vector<int>* held = held_;
-    held_ = &row;
-    const int gap =
-        hung_[y].layout.place - hung_[x].layout.place - layout.parts[1 - left].place;
-    if (hung_[x].layout.slots < hung_[y].layout.slots)
-      shift(x, gap);
+    const int gap = bed_.layout(y).place - bed_.layout(x).place - layout.parts[1 - left].place;
+    if (bed_.layout(x).slots < bed_.layout(y).slots)
+      bed_.shift(x, gap);
     else
-      shift(y, -gap);
-    held_ = held;
-    hung_[x].hangs = hung_[y].hangs = false;
-    hang(connection.whole, layout.whole, hung_[x].layout.place);
-  }
-
-  // Moves a whole tube, as far at a time as a racking goes.
-  void shift(int tube, int places_on) {
-    while (places_on != 0) {
-      const int now = std::clamp(places_on, -kFurthest, kFurthest);
-      PlacedStep move;
-      move.tube = tube;
-      move.before = move.after = hung_[tube].layout;
-      move.after.place += now;
-      move.room = room(row_of(tube), move);
-      hung_[tube].layout = move.after;
-      hung_[tube].wanted_middle += 2 * now;
-      use(places_of(move.after));
-      result_.steps.push_back(move);
-      places_on -= now;
-    }
-  }
-
-  // Stacks that must move if a row of tubes from `row` on moves that way, up to the first gap.
-  int stacks_in_the_way(size_t row, bool right, int distance) const {
-    int stacks = 0;
-    for (size_t at = row; at < held_->size() && distance > 0; right ? ++at : --at) {
-      stacks += hung_[(*held_)[at]].layout.slots;
-      distance -= free_way(at, right);
-    }
-    return stacks;
-  }
-
-  // How far the tube in this row can move without pushing another.
-  int free_way(size_t row, bool right) const {
-    const OffsetChoice free = free_offsets(row, hung_[(*held_)[row]].layout);
-    return std::max(0, right ? free.highest : -free.lowest);
-  }
-
-  // How far a row of tubes from `row` on can move until it stands at the wall.
-  int way_to_wall(size_t row, bool right) const {
-    int way = 0;
-    for (size_t at = row; at < held_->size(); right ? ++at : --at) way += free_way(at, right);
-    return way;
-  }
-
-  // Moves the tube in this row, and those behind it that are in its way.
-  void push(size_t row, bool right, int distance) {
-    const int free = free_way(row, right);
-    const size_t next = right ? row + 1 : row - 1;
-    if (free < distance && next < held_->size()) push(next, right, distance - free);
-    shift((*held_)[row], right ? distance : -distance);
-  }
-
-  // Pushes neighbours away until the layout has room between them.
-  OffsetChoice make_room(size_t row, const BedLayout& layout) {
-    result_.optimal = false;
-    const auto missing = [&] {
-      const OffsetChoice free = free_offsets(row, layout);
-      return free.lowest - free.highest;
-    };
-    const bool can_left = row > 0, can_right = row + 1 < held_->size();
-    bool right = can_right;
-    if (can_left && can_right)
-      right = stacks_in_the_way(row + 1, true, missing()) <=
-              stacks_in_the_way(row - 1, false, missing());
-    for (const bool way : {right, !right}) {
-      if (missing() <= 0 || !(way ? can_right : can_left)) continue;
-      const size_t beside = way ? row + 1 : row - 1;
-      push(beside, way, std::min(missing(), way_to_wall(beside, way)));
-    }
-    return free_offsets(row, layout);
+      bed_.shift(y, -gap);
+    BedLayout whole = layout.whole;
+    whole.place = bed_.layout(x).place;
+    bed_.take_off(x);
+    bed_.take_off(y);
+    bed_.hang(connection.whole, whole);
   }
 
   void knit(int tube, int step) {
-    Hung& hung = hung_[tube];
     const TubeLayouts& own = layouts_[tube];
+    const int change = changes_[tube];
     const bool changes =
-        hung.changes < static_cast<int>(own.maps.size()) && own.from_step[hung.changes] == step;
-    PlacedStep placed;
-    BedLayout next = changes ? own.layouts[hung.changes + 1] : hung.layout;
-    next.place = hung.layout.place;
-    const size_t row = row_of(tube);
-    OffsetChoice choice = free_offsets(row, next);
-    if (choice.lowest > choice.highest) choice = make_room(row, next);
+        change < static_cast<int>(own.maps.size()) && own.from_step[change] == step;
+    const BedLayout before = bed_.layout(tube);
+    BedLayout next = changes ? own.layouts[change + 1] : before;
+    next.place = before.place;
+    const size_t row = bed_.row_of(tube);
+    OffsetChoice choice = bed_.free_offsets(row, next);
+    if (choice.lowest > choice.highest) choice = bed_.make_room(row, next);
     choice.liked = liked_offset(tube, row, places_of(next), choice);
-    placed.tube = tube;
-    placed.step = step;
-    placed.before = hung.layout;
     if (changes) {
-      const ShiftCost cost = meter_.measure(own.maps[hung.changes], hung.layout, next, choice);
-      const ShiftCost best = meter_.measure(own.maps[hung.changes], hung.layout, next);
-      if (best < cost) result_.optimal = false;
+      const SlotMap& map = own.maps[change];
+      const ShiftCost cost = meter_.measure(map, before, next, choice);
+      best_moves_ = best_moves_ && !(meter_.measure(map, before, next) < cost);
       next.place += cost.offset;
-      ++hung.changes;
+      ++changes_[tube];
     } else {
       next.place += std::clamp(0, choice.lowest, choice.highest);
     }
-    placed.after = next;
-    placed.room = room(row, placed);
-    hung.layout = next;
-    use(places_of(next));
-    result_.steps.push_back(placed);
+    bed_.knit(tube, step, next);
   }
 
+  // Towards the tube that it will meet, if they are neighbours already.
   int liked_offset(int tube, size_t row, const PlaceRange& unmoved,
-                   const OffsetChoice& choice) {
+                   const OffsetChoice& choice) const {
+    const std::vector<int>& held = bed_.order();
     for (size_t c = 0; c < connections_.size(); ++c) {
-      const Connection& connection = connections_[c];
-      if (connection.split || (connection.parts[0] != tube && connection.parts[1] != tube))
-        continue;
-      const bool is_left = connection.parts[order_.left_part[c]] == tube;
-      const int other = connection.parts[connection.parts[0] == tube ? 1 : 0];
+      const std::array<int, 2>& parts = connections_[c].parts;
+      if (connections_[c].split || (parts[0] != tube && parts[1] != tube)) continue;
+      const bool is_left = parts[order_.left_part[c]] == tube;
       const size_t beside = is_left ? row + 1 : row - 1;
-      if (beside < held_->size() && (*held_)[beside] == other)
+      if (beside < held.size() && held[beside] == parts[parts[0] == tube ? 1 : 0])
         return is_left ? choice.highest : choice.lowest;
     }
-    return (hung_[tube].wanted_middle - middle(unmoved)) / 2;
+    return (bed_.first_middle(tube) - middle(unmoved)) / 2;
   }
 
   const SteppedTubes& tubes_;
   const std::vector<Connection>& connections_;
   const BedOrder& order_;
   const std::vector<TubeLayouts>& layouts_;
-  PlaceRange walls_;
   int start_middle_;
-  std::vector<Hung> hung_;                  // [tube]
-  const std::vector<int>* held_ = nullptr;  // left to right
-  PlaceRange used_;
-  bool any_used_ = false;
+  BedRow bed_;
+  std::vector<int> changes_;  // [tube] of its layout so far
+  size_t turn_ = 0;
   ShiftMeter meter_;
-  PlacedTubes result_;
+  bool best_moves_ = true;
 };
 
 void move_all(PlacedTubes& placed, int offset, const PlaceRange& bed) {

@@ -14,6 +14,9 @@ namespace meshknit {
 /// Places that stay free between tubes that hang side by side, but where they part or meet.
 constexpr int kFreeBetween = 1;
 
+/// No limit, for places.
+constexpr PlaceRange kAnywhere{-100000, 100000};
+
 /// The half-gauge places that layouts may use: all of a bed's but a few at each end, which
 /// transfers and yarn ends need.
 PlaceRange usable_places(const MachineProfile& profile);
