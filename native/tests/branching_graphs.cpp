@@ -75,6 +75,25 @@ KnitGraph three_legs_upside_down(int a, int b, int c, int rows) {
   return drawing.graph();
 }
 
+KnitGraph crossed_pairs(int n, int rows, bool joined_again) {
+  GraphDrawing drawing;
+  const Front trunk = plain_row(drawing, drawing.cast_on(4 * n));
+  std::vector<Front> tubes;
+  for (const int half : {0, 1}) {
+    const Front part = plain_row(
+        drawing, plain_row(drawing, part_of(trunk, 2 * half * n, 2 * (half + 1) * n)));
+    for (const int quarter : {0, 1})
+      tubes.push_back(plain_row(
+          drawing, plain_row(drawing, part_of(part, quarter * n, (quarter + 1) * n))));
+  }
+  std::vector<Front> pairs;
+  for (const int first : {0, 1}) pairs.push_back(joined(tubes[first], tubes[first + 2]));
+  for (int row = 0; row < rows; ++row)
+    for (Front& pair : pairs) pair = plain_row(drawing, pair);
+  if (joined_again) plain_row(drawing, plain_row(drawing, joined(pairs[0], pairs[1])));
+  return drawing.graph();
+}
+
 KnitGraph many_legs(int legs, int n, int rows) {
   GraphDrawing drawing;
   Front trunk = plain_row(drawing, drawing.cast_on(legs * n));

@@ -21,4 +21,9 @@ KnitGraph three_legs_upside_down(int a, int b, int c, int rows);
 /// `legs` legs of n nodes, side by side, from a trunk that sheds one leg a row.
 KnitGraph many_legs(int legs, int n, int rows);
 
+/// A trunk of 4 n nodes that parts twice, into tubes 1, 2, 3 and 4. Tubes 1 and 3 meet, and so do 2
+/// and 4, at the same height: whichever pair meets first hangs between the other two, until it
+/// ends. If `joined_again`, the two pairs meet in the end, so that neither ends before.
+KnitGraph crossed_pairs(int n, int rows, bool joined_again);
+
 }  // namespace meshknit

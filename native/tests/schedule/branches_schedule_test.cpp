@@ -153,6 +153,22 @@ TEST(BranchesSchedule, LegsThatDoNotFitSideBySideAreNamedWithAScale) {
   EXPECT_NO_THROW(schedule_cleanly(trace, 100));
 }
 
+TEST(BranchesSchedule, PairsThatAreKnitOneAfterTheOtherDoNotCross) {
+  schedule_cleanly(trace_knit_graph(crossed_pairs(4, 5, false)));
+}
+
+TEST(BranchesSchedule, PairsThatMustCrossAreRefused) {
+  try {
+    schedule_stitches(trace_knit_graph(crossed_pairs(4, 3, true)), machine_of(400));
+    FAIL() << "two tubes meet behind two others that meet";
+  } catch (const NotKnittable& refused) {
+    const Problem* problem = find_problem(refused.problems(), "tubes-cross");
+    ASSERT_NE(problem, nullptr);
+    EXPECT_EQ(problem->elements.stitches.size(), 3u) << "two that would meet, one between";
+    EXPECT_EQ(problem->elements.nodes.size(), 3u);
+  }
+}
+
 class BrokenBranches : public testing::Test {
  protected:
   void expect(const std::string& code) {
