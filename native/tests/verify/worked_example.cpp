@@ -338,6 +338,15 @@ KnitoutLines& KnitoutLines::replace(const std::string& part, const std::string& 
   return *this;
 }
 
+KnitoutLines& KnitoutLines::replace_all(const std::string& part, const std::string& with) {
+  while (std::any_of(lines_.begin(), lines_.end(), [&](const std::string& line) {
+    return line.find(part) != std::string::npos;
+  })) {
+    replace(part, with);
+  }
+  return *this;
+}
+
 KnitoutLines& KnitoutLines::before(const std::string& part, std::vector<std::string> added) {
   lines_.insert(lines_.begin() + find(part), added.begin(), added.end());
   return *this;

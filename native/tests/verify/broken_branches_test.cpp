@@ -1,0 +1,89 @@
+// Copies of the example that parts and meets again; each breaks one of the rules that only several
+// tubes have.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "verify/broken_copy.h"
+
+namespace meshknit {
+namespace {
+
+// From stitch `first` on the left tube is knit as f10 b11 b13 f12 instead of f12 f10 b11 b13.
+void turn_left_tube(KnitoutLines& lines, int first) {
+  const char* const right[] = {"- f12", "- f10", "+ b11", "+ b13"};
+  for (int k = 0; k < 4; ++k) {
+    const std::string rest = " 6 ;!source: stitch " + std::to_string(first + k);
+    lines.replace(right[k] + rest, right[(k + 1) % 4] + rest);
+  }
+}
+
+const std::vector<BrokenCopy>& copies() {
+  static const std::vector<BrokenCopy> all = {
+      // The left tube is f10 f12 b11 b13, the right one f14 f16 b15 b17.
+      {"a loop brought between the other tube's and back", "passes-other-tube",
+       [](auto& k) {
+         k.before("stitch 24", {"rack 2", "xfer f14 b12", "xfer b12 f14", "rack 0"});
+       }},
+      {"a loop put on the other tube's needle", "merge-of-strangers",
+       [](auto& k) {
+         k.before("stitch 24", {"rack 1", "xfer f14 b13", "rack 0"});
+       }},
+      {"waste cast on across the right tube", "tubes-interleaved",
+       [](auto& k) {
+         k.before("stitch 24",
+                  {"inhook 7", "tuck - f15 7 ;!source: waste", "releasehook 7",
+                   "tuck + b14 7 ;!source: waste", "outhook 7", "drop f15", "drop b14"});
+       }},
+      // f10 goes to f8; at racking 3 its neighbour b11 stands at 14, six needles away.
+      {"an idle tube's bridge overstretched by a racking", "overstretched",
+       [](auto& k) {
+         k.before("stitch 24", {"rack 1", "xfer f10 b9", "rack -1", "xfer b9 f8", "rack 3",
+                                "rack -1", "xfer f8 b9", "rack 1", "xfer b9 f10", "rack 0"});
+       }},
+      {"a stitch of the right tube knit in the left one", "wrong-parents",
+       [](auto& k) { k.replace("b15 6 ;!source: stitch 26", "b13 6 ;!source: stitch 26"); }},
+      {"a loop of the right tube given to the left one", "wrong-parents",
+       [](auto& k) { k.replace("b13 5 ;!source: stitch 17", "b15 5 ;!source: stitch 17"); }},
+      {"tubes that meet with one of them turned by a loop", "wrong-parents",
+       [](auto& k) { turn_left_tube(k, 42); }},
+      {"the same with the loops brought along", "tube-order",
+       [](auto& k) {
+         k.before("stitch 40",
+                  {"xfer f10 b10", "xfer f12 b12", "rack -1", "xfer b13 f12", "rack -2",
+                   "xfer b12 f10", "rack 0", "xfer b11 f11", "rack -2", "xfer f11 b13",
+                   "rack 1", "xfer b10 f11", "rack 0", "xfer f11 b11"});
+         for (const int first : {42, 50}) turn_left_tube(k, first);
+       }},
+      {"a carrier brought in again while its yarn is in", "carrier-already-in",
+       [](auto& k) { k.replace_all("hook 6", "hook 5").replace_all(" 6 ;", " 5 ;"); }},
+      {"a yarn that goes on with the other tube", "stitch-count",
+       [](auto& k) { k.replace("b15 6 ;!source: stitch 26", "b15 5 ;!source: stitch 26"); }},
+      // The second yarn is anchored left of the left tube, so it lies across that tube.
+      {"yarn through a tube", "yarn-through-tube",
+       [](auto& k) {
+         k.replace_all("f21", "f9").replace_all("f19", "f7").replace_all("f20", "f8");
+       }},
+      {"waste dropped while the object hangs on it", "waste-dropped-early",
+       [](auto& k) {
+         k.before("drop f16", {"inhook 7", "knit - f16 7 ;!source: waste", "releasehook 7"});
+         k.lines().push_back("outhook 7");
+       }},
+      {"the waste below dropped before the object stands on it", "knit-on-empty",
+       [](auto& k) { k.before("stitch 4", {"drop b11"}); }},
+      {"the second yarn never taken out", "carrier-not-out",
+       [](auto& k) { k.remove("outhook 6"); }},
+      {"a third yarn's hook while the second's is held", "second-hook",
+       [](auto& k) { k.before("releasehook 6", {"inhook 7"}); }},
+  };
+  return all;
+}
+
+TEST(BrokenBranches, EveryRuleOfSeveralTubesRefusesWhatBreaksIt) {
+  expect_refused(copies(), KnitoutLines::branches(), branches_trace());
+}
+
+}  // namespace
+}  // namespace meshknit
