@@ -25,6 +25,31 @@ TEST(Branches, ATubeThatPartsAndMeetsAgainIsGood) {
   EXPECT_EQ(report.edges, 48);
 }
 
+std::string first_code(const VerifyReport& report) {
+  return report.problems.empty() ? "" : report.problems.front().code;
+}
+
+// Stitch 10 is the last one that the yarn comes to from f14, which will be the right tube's.
+TEST(Branches, WhatIsLeftOfARoundMayStepAsideWhenNoYarnCrossesAnyMore) {
+  for (const bool early : {false, true}) {
+    KnitoutLines lines = KnitoutLines::branches();
+    lines.before(early ? "stitch 10" : "stitch 11", {"xfer f14 b14", "xfer f16 b16"});
+    lines.before("stitch 18", {"xfer b14 f14", "xfer b16 f16"});
+    EXPECT_EQ(first_code(verify(lines)), early ? "tube-order" : "");
+  }
+}
+
+// From stitch 39 on both tubes wait to be one; then loops of both may mingle on a bed as those of
+// one tube do.
+TEST(Branches, TubesThatAreDueToMeetMayBeMovedAsOne) {
+  for (const bool early : {false, true}) {
+    KnitoutLines lines = KnitoutLines::branches();
+    lines.before(early ? "stitch 24" : "stitch 40",
+                 {"rack 2", "xfer f14 b12", "xfer b12 f14", "rack 0"});
+    EXPECT_EQ(first_code(verify(lines)), early ? "passes-other-tube" : "");
+  }
+}
+
 // Places one after another round a tube.
 std::vector<Needle> ring(const std::vector<std::vector<Needle>>& parts) {
   std::vector<Needle> needles;
