@@ -25,6 +25,11 @@ TEST(Branches, ATubeThatPartsAndMeetsAgainIsGood) {
   EXPECT_EQ(report.edges, 48);
 }
 
+void expect_good(const VerifyReport& report) {
+  for (const Problem& p : report.problems) ADD_FAILURE() << p.code << ": " << p.message;
+  EXPECT_TRUE(report.ok);
+}
+
 std::string first_code(const VerifyReport& report) {
   return report.problems.empty() ? "" : report.problems.front().code;
 }
@@ -50,6 +55,26 @@ TEST(Branches, TubesThatAreDueToMeetMayBeMovedAsOne) {
   }
 }
 
+// As far as its profile says what is different: no hook, no sliders, carriers from the left.
+TEST(Branches, AMachineWithoutHookBringsYarnsInFromTheSide) {
+  MachineProfile machine = machine_profile("shima_swg091n2");
+  machine.machine_header = "";
+  machine.carriers = {"1", "2", "3", "4", "5", "6"};
+  machine.has_inserting_hook = machine.has_sliders = machine.first_stitch_leftward = false;
+  machine.quarter_pitch = 0.5;
+  KnitoutLines lines = KnitoutLines::branches();
+  lines.remove(";;Machine").replace(" 7 8 9 10", "");
+  const auto check = [&] { return verify_knitout(lines.text(), machine, branches_trace()); };
+  EXPECT_EQ(first_code(check()), "no-hook");
+  lines.replace_all("inhook", "in").replace_all("outhook", "out");
+  lines.remove("releasehook").remove("releasehook");
+  EXPECT_EQ(first_code(check()), "first-stitch-direction");
+  lines.replace("tuck - f16 5", "tuck + f16 5").replace("tuck - f21 6", "tuck + f21 6");
+  expect_good(check());
+  lines.replace("rack 2", "rack 2.25");
+  EXPECT_EQ(first_code(check()), "racking-fraction");
+}
+
 // Places one after another round a tube.
 std::vector<Needle> ring(const std::vector<std::vector<Needle>>& parts) {
   std::vector<Needle> needles;
@@ -63,11 +88,6 @@ VerifyReport verify_in_place(const KnitGraph& graph,
   std::string text;
   for (const std::string& line : knit_in_place(trace, rounds)) text += line + "\n";
   return verify_knitout(text, machine_profile("shima_swg091n2"), trace);
-}
-
-void expect_good(const VerifyReport& report) {
-  for (const Problem& p : report.problems) ADD_FAILURE() << p.code << ": " << p.message;
-  EXPECT_TRUE(report.ok);
 }
 
 TEST(Branches, TrousersAreGoodEitherWayUp) {
