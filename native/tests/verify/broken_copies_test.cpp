@@ -235,15 +235,16 @@ class Lcg {
 
 TEST(BrokenCopies, NoTextMakesTheCheckThrow) {
   const MachineProfile profile = machine_profile("shima_swg091n2");
-  const StitchTrace trace = worked_trace();
   const std::vector<std::string> spice = {
       "xfer f14 b13",  "rack 1",        "rack -0.75",  "drop b13",     "split - f12 b12 5",
       "releasehook 5", "outhook 5",     "inhook 5",    "in 6 5",       "xfer bs3 f4",
       "tuck + b17 7",  "knit - fs10 5", "miss + f1 3", "xfer f12 f12", "knit + f999999 5",
       "xfer b10 f10"};
   Lcg random;
-  for (int round = 0; round < 3000; ++round) {
-    KnitoutLines copy;
+  for (int round = 0; round < 6000; ++round) {
+    const bool branches = round % 2 == 1;
+    KnitoutLines copy = branches ? KnitoutLines::branches() : KnitoutLines();
+    const StitchTrace trace = branches ? branches_trace() : worked_trace();
     std::vector<std::string>& lines = copy.lines();
     for (std::size_t wounds = 1 + random.below(8); wounds > 0; --wounds) {
       const std::size_t at = random.below(lines.size());
