@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "graphs.h"
+#include "meshknit/knit_graph/closed_row_links.h"
+#include "meshknit/pipeline/pipeline.h"
 #include "meshknit/tracing/trace.h"
+#include "random_surfaces.h"
 #include "verify/worked_example.h"
 
 namespace meshknit {
@@ -28,6 +32,28 @@ TEST(TraceColumns, EveryFurtherTubePartsOnceAndMeetsOnce) {
   EXPECT_EQ(junctions(merging_tube(4)), 1u);
   EXPECT_EQ(junctions(three_way_split(6, 4, 6, 4)), 2u);
   EXPECT_EQ(find_trace_columns(branches_trace()).junctions.size(), 2u);
+}
+
+// Whatever the shaping and wherever short rows end. A row under k closed rows parts k - 1 times,
+// one over k of them meets k - 1 times.
+TEST(TraceColumns, RandomSurfacesPartAndMeetAsOftenAsTheirGraphs) {
+  std::size_t most = 0;
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const RandomSurface random = random_surface(seed);
+    const KnitGraph graph =
+        build_knit_graph(random.timed.surface, random.timed.time, random.gauge).graph;
+    const ClosedRowLinks links = link_closed_rows(graph, RowWalk(graph));
+    std::size_t expected = 0;
+    for (std::size_t row = 0; row < graph.rows.size(); ++row) {
+      if (!graph.rows[row].closed) continue;
+      if (links.is_split(static_cast<int>(row))) expected += links.above[row].size() - 1;
+      if (links.is_merge(static_cast<int>(row))) expected += links.below[row].size() - 1;
+    }
+    EXPECT_EQ(junctions(graph), expected);
+    most = std::max(most, expected);
+  }
+  EXPECT_GE(most, 4u);
 }
 
 TEST(TraceColumns, TheHandExamplePartsAndMeetsWhereItIsDrawn) {
