@@ -73,6 +73,18 @@ const std::vector<BrokenCopy>& copies() {
        }},
       {"the waste below dropped before the object stands on it", "knit-on-empty",
        [](auto& k) { k.before("stitch 4", {"drop b11"}); }},
+      // Two small tubes of waste, f30 b31 and f34 b35: the right one goes to the front bed, the left
+      // one behind it and to its other side.
+      {"tubes that change places", "tubes-crossed",
+       [](auto& k) {
+         k.before("stitch 29",
+                  {"inhook 7", "tuck - f30 7 ;!source: waste", "releasehook 7",
+                   "tuck + b31 7 ;!source: waste", "outhook 7", "inhook 8",
+                   "tuck - f34 8 ;!source: waste", "releasehook 8",
+                   "tuck + b35 8 ;!source: waste", "outhook 8", "rack 1", "xfer b35 f36",
+                   "rack -3", "xfer f30 b33", "rack 4", "xfer b33 f37", "rack 1"});
+         k.before("stitch 30", {"drop f37", "drop b31", "drop f34", "drop f36", "rack 0"});
+       }},
       {"the second yarn never taken out", "carrier-not-out",
        [](auto& k) { k.remove("outhook 6"); }},
       {"a third yarn's hook while the second's is held", "second-hook",

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "graphs.h"
+#include "meshknit/core/error.h"
 #include "meshknit/knit_graph/closed_row_links.h"
 #include "meshknit/pipeline/pipeline.h"
 #include "meshknit/tracing/trace.h"
@@ -38,11 +39,17 @@ TEST(TraceColumns, EveryFurtherTubePartsOnceAndMeetsOnce) {
 // one over k of them meets k - 1 times.
 TEST(TraceColumns, RandomSurfacesPartAndMeetAsOftenAsTheirGraphs) {
   std::size_t most = 0;
+  int knitted = 0;
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
     const RandomSurface random = random_surface(seed);
-    const KnitGraph graph =
-        build_knit_graph(random.timed.surface, random.timed.time, random.gauge).graph;
+    KnitGraph graph;
+    try {
+      graph = build_knit_graph(random.timed.surface, random.timed.time, random.gauge).graph;
+    } catch (const NotKnittable&) {
+      continue;  // too thin somewhere at this gauge: remeshing's business
+    }
+    ++knitted;
     const ClosedRowLinks links = link_closed_rows(graph, RowWalk(graph));
     std::size_t expected = 0;
     for (std::size_t row = 0; row < graph.rows.size(); ++row) {
@@ -53,6 +60,7 @@ TEST(TraceColumns, RandomSurfacesPartAndMeetAsOftenAsTheirGraphs) {
     EXPECT_EQ(junctions(graph), expected);
     most = std::max(most, expected);
   }
+  EXPECT_GE(knitted, 8);
   EXPECT_GE(most, 4u);
 }
 
