@@ -24,6 +24,9 @@ void expect_refused(const std::vector<BrokenCopy>& copies, const KnitoutLines& g
     } else {
       EXPECT_EQ(problem->severity, Severity::error) << copy.what;
     }
+    for (const Problem& other : report.problems) {
+      EXPECT_TRUE(!copy.alone || other.code == copy.code) << copy.what << ": " << other.code;
+    }
   }
 }
 

@@ -13,6 +13,7 @@ struct BrokenCopy {
   const char* what;
   const char* code;  ///< of the rule that it breaks
   std::function<void(KnitoutLines&)> damage;
+  bool alone = false;  ///< no other rule is broken
 };
 
 /// Expects that the Shima's check refuses every copy and names its rule as an error.
