@@ -11,7 +11,8 @@ namespace meshknit {
 
 /// How the object's loops may end (primer, section 7, step 4): all are knit through by the
 /// object, but those of end stitches, which are knit through by waste or dropped after their
-/// yarn went out. Waste and anchors may be dropped. `items` gives the traced loop of every loop.
+/// yarn went out. Waste and anchors may be dropped, but waste that the object
+/// hangs on only after the waste's yarn went out. `items` gives the traced loop of every loop.
 void check_loop_fates(const Fabric& fabric, const StitchTrace& trace,
                       const std::vector<ExpectedLoop>& items, ProblemLog& log);
 

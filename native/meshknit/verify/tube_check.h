@@ -23,8 +23,8 @@ namespace meshknit {
 ///  - that second loops of increases and starts are made beside the loop before them.
 /// A tube may part or meet from the last stitch across the place on, and must have by the stitch
 /// that needs it; in between either will do.
-/// `items` gives the traced loop of every loop of the fabric (compare_with_trace), or is empty;
-/// then all loops are taken for one tube each time a yarn begins.
+/// `items` gives the traced loop of every loop of the fabric (compare_with_trace); it is empty where
+/// there is no trace to go by. Then every loop belongs to the tube that its yarn comes from.
 /// Reports the second half of the run. Throws: Cancelled.
 void check_tubes(const Program& program, const MachineProfile& profile, const Fabric& fabric,
                  const StitchTrace& trace, const std::vector<ExpectedLoop>& items,

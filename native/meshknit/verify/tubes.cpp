@@ -104,15 +104,16 @@ bool Tubes::crosses(int column, int other) const {
 }
 
 bool Tubes::tube_crosses(int tube, int other) const {
-  const TubeOrder& order = tubes_[tube].order;
-  if (order.size() == 0) return false;
-  const int start = order.leftmost(order.is_on(Bed::front) ? Bed::front : Bed::back);
-  int own = start;
-  do {
-    if (crosses(tubes_[tube].columns[own], other)) return true;
-    own = order.next(own);
-  } while (own != start);
-  return false;
+  const TubeOrder& own = tubes_[tube].order;
+  if (own.size() == 0 || tubes_[other].order.size() == 0) return false;
+  int gaps = 0;  // between two columns of the tube, with columns of the other
+  Needle here = own.needle(own.leftmost(own.is_on(Bed::front) ? Bed::front : Bed::back));
+  for (int k = 0; k < own.size(); ++k) {
+    const Needle after = own.needle(own.first_after(here));
+    if (has_column_between(tubes_[other].order, here, after)) ++gaps;
+    here = after;
+  }
+  return gaps > 1;
 }
 
 bool Tubes::lies_between(int tube, const Needle& a, const Needle& b) const {

@@ -39,9 +39,9 @@ class Tubes {
   /// Tubes with columns, in ascending order.
   const std::vector<int>& held_tubes() const { return held_; }
 
-  /// True if the column stands so that its tube is not clear of the other.
+  /// True if the tubes are not clear of each other any more since the column came where it is.
   bool crosses(int column, int other) const;
-  /// True if any column of the tube does.
+  /// True if the tubes are not clear of each other.
   bool tube_crosses(int tube, int other) const;
   /// True if the tube has columns on both sides of the line between two needles.
   bool lies_between(int tube, const Needle& a, const Needle& b) const;

@@ -28,6 +28,7 @@ class KnitoutLines {
 
   KnitoutLines& remove(const std::string& part);
   KnitoutLines& replace(const std::string& part, const std::string& with);
+  KnitoutLines& replace_all(const std::string& part, const std::string& with);
   KnitoutLines& before(const std::string& part, std::vector<std::string> added);
   KnitoutLines& swap(const std::string& part, const std::string& other);
 
