@@ -59,14 +59,18 @@ class Emitter {
     auto end = schedule_.ends.begin();
     for (size_t i = 0; i < steps.size(); ++i) {
       report(run, static_cast<double>(i) / static_cast<double>(steps.size()));
-      if (steps[i].before.front().front().stitch < 0)
+      if (steps[i].before.front().front().stitch < 0) {
+        clear_room(steps[i]);
         knit_waste_before(program_, profile_, steps[i].before_hooks, room_of(steps[i]));
+      }
       move_loops(steps[i]);
       for (int s = steps[i].first_stitch; s <= steps[i].last_stitch; ++s)
         make_stitch(steps[i], s);
       age_anchors(steps[i]);
-      for (; end != schedule_.ends.end() && end->step == static_cast<int>(i); ++end)
-        knit_waste_after(program_, profile_, end->hooks, room_of(steps[i]));
+      if (end == schedule_.ends.end() || end->step != static_cast<int>(i)) continue;
+      clear_room(steps[i]);
+      knit_waste_after(program_, profile_, end->hooks, room_of(steps[i]));
+      ++end;
     }
     report(run, 1.0);
     return program_.finish();
@@ -111,10 +115,12 @@ class Emitter {
     const Source source{Source::Kind::stitch, s};
     const Side side = travel(hook.bed, stitch.direction);
     const YarnUse& yarn = yarns_[stitch.yarn];
-    if (s == yarn.first_stitch)
+    if (s == yarn.first_stitch) {
+      clear_room(step);
       anchors_.push_back(
           {stitch.yarn, step.tube, 0,
            bring_in(program_, profile_, yarn.carrier, hook, side, room_of(step))});
+    }
     if (stitch.kind == StitchKind::tuck) {
       program_.tuck(side, needle_of(hook), yarn.carrier, source);
     } else {
@@ -130,6 +136,15 @@ class Emitter {
     if (s != yarn.last_stitch) return;
     drop_anchors([&](const Anchors& anchors) { return anchors.yarn == stitch.yarn; });
     take_out(program_, profile_, yarn.carrier);
+  }
+
+  // Anchors of a neighbour may lie in the places between two tubes.
+  void clear_room(const ScheduleStep& step) {
+    drop_anchors([&](const Anchors& anchors) {
+      return std::any_of(anchors.needles.begin(), anchors.needles.end(), [&](const Needle& n) {
+        return n.index >= 2 * step.lowest_place && n.index <= 2 * step.highest_place + 1;
+      });
+    });
   }
 
   void age_anchors(const ScheduleStep& step) {

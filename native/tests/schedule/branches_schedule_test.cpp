@@ -169,7 +169,7 @@ TEST(BranchesSchedule, PairsThatMustCrossAreRefused) {
   }
 }
 
-class BrokenBranches : public testing::Test {
+class BrokenBranchSchedules : public testing::Test {
  protected:
   void expect(const std::string& code) {
     EXPECT_NE(find_problem(check_schedule(trace, schedule, machine_of(400)), code), nullptr)
@@ -189,24 +189,24 @@ class BrokenBranches : public testing::Test {
   Schedule schedule = schedule_stitches(trace, machine_of(400));
 };
 
-TEST_F(BrokenBranches, ItIsGoodBeforeItIsBroken) {
+TEST_F(BrokenBranchSchedules, ItIsGoodBeforeItIsBroken) {
   EXPECT_EQ(first_message(check_schedule(trace, schedule, machine_of(400))), "");
 }
-TEST_F(BrokenBranches, ATubeInTheRoomOfAnotherIsFound) {
+TEST_F(BrokenBranchSchedules, ATubeInTheRoomOfAnotherIsFound) {
   // The legs hang a place apart and are four places wide.
   move_tube(schedule.steps[0].tube, 1);
   expect("no-room");
 }
-TEST_F(BrokenBranches, LegsThatWereNotBroughtTogetherAreFound) {
+TEST_F(BrokenBranchSchedules, LegsThatWereNotBroughtTogetherAreFound) {
   const auto moves = [](const ScheduleStep& step) { return !knits(step); };
   schedule.steps.erase(std::find_if(schedule.steps.begin(), schedule.steps.end(), moves));
   expect("step-start");
 }
-TEST_F(BrokenBranches, AStepOnAnotherTubeIsFound) {
+TEST_F(BrokenBranchSchedules, AStepOnAnotherTubeIsFound) {
   schedule.steps[0].tube = schedule.steps[2].tube;
   expect("step-form");
 }
-TEST_F(BrokenBranches, ATubeThatNeverEndsIsFound) {
+TEST_F(BrokenBranchSchedules, ATubeThatNeverEndsIsFound) {
   schedule.ends.clear();
   expect("step-start");
 }
