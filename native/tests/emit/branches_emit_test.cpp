@@ -157,6 +157,66 @@ TEST(BranchesEmit, WasteIsKnitOverOneLegAtATime) {
   EXPECT_EQ(after, (std::multiset<int>{60, 80, 100}));
 }
 
+// The tube (or waste) that hangs at a place: -1 for none. Follows a program needle by needle.
+class HangingTubes {
+ public:
+  explicit HangingTubes(const StitchTrace& trace) : trace_(trace) {}
+
+  void run(const Instruction& i) {
+    if (i.op == Op::xfer) {
+      tube_[i.target] = tube_[i.needle];
+      tube_.erase(i.needle);
+    } else if (i.op == Op::drop) {
+      tube_.erase(i.needle);
+    } else if (i.source.kind == Source::Kind::stitch) {
+      tube_[i.needle] = trace_.stitches[i.source.stitch].tube;
+    } else if (i.source.kind == Source::Kind::waste && tube_.count(i.needle) == 0) {
+      tube_[i.needle] = -2;
+    }
+  }
+  int at(const Needle& needle) const {
+    const auto found = tube_.find(needle);
+    return found == tube_.end() ? -1 : found->second;
+  }
+
+ private:
+  const StitchTrace& trace_;
+  std::map<Needle, int> tube_;
+};
+
+TEST(BranchesEmit, AnchorsAreTuckedInNoOtherTube) {
+  for (const KnitGraph& graph :
+       {three_legs(6, 7, 8, 4), three_legs_upside_down(7, 9, 6, 4), many_legs(5, 8, 4)}) {
+    const StitchTrace trace = trace_knit_graph(graph);
+    const Program program = emit_program(trace, schedule_stitches(trace, shima()), shima());
+    HangingTubes hanging(trace);
+    std::vector<Needle> anchors;
+    int checked = 0;
+    for (const Instruction& i : program.instructions) {
+      if (i.source.kind == Source::Kind::anchor) {
+        anchors.push_back(i.needle);
+        continue;
+      }
+      const bool first_loop = (i.op == Op::knit || i.op == Op::tuck) && !anchors.empty();
+      if (first_loop) {
+        // On the tube that the yarn was brought in for. An anchor lies at needle 2n + 1 of the
+        // front, beside the hooks f(2n) and b(2n + 1) of place n.
+        const int own = hanging.at(i.needle);
+        for (const Needle& anchor : anchors)
+          for (const Needle& hook : {Needle{Bed::front, anchor.index - 1, false},
+                                     Needle{Bed::back, anchor.index, false}}) {
+            const int tube = hanging.at(hook);
+            EXPECT_TRUE(tube == -1 || tube == own) << to_string(anchor);
+            ++checked;
+          }
+        anchors.clear();
+      }
+      hanging.run(i);
+    }
+    EXPECT_GT(checked, 0);
+  }
+}
+
 TEST(BranchesEmit, TheSameGraphGivesTheSameBytes) {
   const auto text = [] { return write_knitout(program_of(three_legs(7, 8, 9, 5, 1))); };
   EXPECT_EQ(text(), text());

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <string>
 
 #include "branching_graphs.h"
@@ -111,27 +110,6 @@ TEST(BranchesSchedule, WideningLegsPushTheirNeighboursAway) {
 TEST(BranchesSchedule, NarrowingLegsStayWhereTheyAre) {
   const Schedule schedule = schedule_cleanly(trace_knit_graph(three_legs(16, 16, 16, 6, -2)));
   for (const ScheduleStep& step : schedule.steps) EXPECT_TRUE(knits(step));
-}
-
-// Two legs that start at once, and a third between them a step later: room is left for it.
-TEST(BranchesSchedule, ATubeThatStartsBetweenOthersPushesNoneAway) {
-  for (const int n : {6, 7, 8}) {
-    const Schedule schedule =
-        schedule_cleanly(trace_knit_graph(three_legs_upside_down(n, n, n, 4)));
-    std::map<int, int> began;
-    for (std::size_t i = 0; i < schedule.steps.size(); ++i) {
-      const ScheduleStep& step = schedule.steps[i];
-      if (step.before.front().front().stitch < 0) began[step.tube] = static_cast<int>(i);
-    }
-    ASSERT_EQ(began.size(), 3u);
-    for (std::size_t i = 0; i < schedule.steps.size(); ++i) {
-      const bool all_start = std::all_of(began.begin(), began.end(), [&](const auto& start) {
-        return start.second <= static_cast<int>(i);
-      });
-      if (all_start) break;
-      EXPECT_EQ(moved(schedule.steps[i]), 0) << "step " << i;
-    }
-  }
 }
 
 TEST(BranchesSchedule, LegsThatDoNotFitSideBySideAreNamedWithAScale) {
