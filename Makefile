@@ -39,8 +39,9 @@ bench:
 	@.ci/install_packages test
 	@cmake -S . -B $(BUILD)/test -G Ninja -DMESHKNIT_BLENDER=$(BLENDER) --log-level=WARNING
 	@cmake --build $(BUILD)/test --parallel $(JOBS)
-	@set -e; for program in $(BUILD)/test/native/benchmarks/bench_*; do \
-	  test ! -x $$program || test -d $$program || { echo "== $$(basename $$program)"; $$program; }; done
+	@failed=0; for program in $(BUILD)/test/native/benchmarks/bench_*; do \
+	  test ! -x $$program || test -d $$program || \
+	    { echo "== $$(basename $$program)"; $$program || failed=1; }; done; exit $$failed
 
 format:
 	@.ci/install_packages format

@@ -104,6 +104,8 @@ def _settings(options, scene):
         settings = replace(settings, stitch_width=options.stitch_width)
     if options.stitch_height is not None:
         settings = replace(settings, stitch_height=options.stitch_height)
+    if options.no_relax:
+        settings = replace(settings, relax=False)
     return settings
 
 

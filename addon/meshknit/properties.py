@@ -136,6 +136,12 @@ class MESHKNIT_PG_scene(bpy.types.PropertyGroup):
         precision=2,
         update=_touched,
     )
+    relax: BoolProperty(
+        name="Even out stitches",
+        description="Move stitches along the surface until their sizes are as even as they can be",
+        default=DEFAULTS.relax,
+        update=_touched,
+    )
     machine: EnumProperty(
         name="Machine",
         description="The machine that the program is for",

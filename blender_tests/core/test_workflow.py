@@ -55,6 +55,32 @@ def test_a_run_stops_at_the_stage_asked_for():
     assert list(run(model_of(*meshes.tube()), "graph").results) == ["check", "time", "graph"]
 
 
+def test_the_graphs_report_tells_how_long_edges_are_and_what_is_irregular():
+    outcome = run(model_of(*meshes.tube()), "graph")
+    report = build_report(library, model_of(*meshes.tube()), SETTINGS, outcome)["graph"]
+    for kind in ("row_error", "column_error"):
+        histogram = report[kind]["histogram"]
+        # From -50 % to 50 % in steps of 5 %, and what lies beyond on either side.
+        assert histogram["bounds"] == pytest.approx([-0.5 + 0.05 * k for k in range(21)])
+        assert len(histogram["counts"]) == 22
+        within = sum(histogram["counts"][9:13]) / sum(histogram["counts"])
+        assert within == pytest.approx(report[kind]["within_10"], abs=0.01)
+    assert sum(report["column_error"]["histogram"]["counts"]) == len(
+        outcome.results["graph"].value.columns
+    )
+    assert report["short_row_ends"] == 2 * report["short_rows"]
+    shaped = report["increases"] + report["decreases"] + report["short_row_ends"]
+    assert report["irregular"] <= shaped
+
+
+def test_relaxing_moves_stitches_and_keeps_their_links():
+    model = model_of(*meshes.tube())
+    relaxed = run(model, "graph").results["graph"].value
+    peeled = run(model, "graph", replace(SETTINGS, relax=False)).results["graph"].value
+    np.testing.assert_array_equal(peeled.columns, relaxed.columns)
+    assert np.abs(peeled.nodes - relaxed.nodes).max() > 1e-3
+
+
 def test_known_results_are_not_computed_again():
     model = model_of(*meshes.tube())
     first = run(model, "graph")
@@ -68,6 +94,7 @@ def test_known_results_are_not_computed_again():
         (lambda m, s: (replace(m, vertices=m.vertices * 1.01), s), "check"),
         (lambda m, s: (replace(m, constraints=m.constraints[::-1]), s), "time"),
         (lambda m, s: (m, replace(s, stitch_height=2.0)), "graph"),
+        (lambda m, s: (m, replace(s, relax=False)), "graph"),
         (lambda m, s: (m, replace(s, machine=Machine(changes=(("needles", 300),)))), "schedule"),
     ],
 )

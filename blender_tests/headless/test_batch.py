@@ -112,6 +112,24 @@ def test_size_gauge_and_until(tube, tube_marks, tmp_path):
     assert data["graph"]["rows"] == pytest.approx(120.0 / 4.8, abs=2)
 
 
+def test_relaxing_is_on_unless_the_scene_or_an_option_says_otherwise(tmp_path):
+    bpy.ops.meshknit.add_bent_tube()
+    scenes = {relax: tmp_path / f"{relax}.blend" for relax in (True, False)}
+    for relax, path in scenes.items():
+        bpy.context.scene.meshknit.relax = relax
+        bpy.ops.wm.save_as_mainfile(filepath=str(path), copy=True)
+    graph = tmp_path / "graph.json"
+
+    def graph_of(scene, *options):
+        done = batch("--until", "graph", "--graph", graph, *options, scene=scene)
+        assert done.returncode == 0, done.stderr
+        return json.loads(graph.read_text())
+
+    relaxed, peeled = graph_of(scenes[True]), graph_of(scenes[True], "--no-relax")
+    assert peeled["nodes"] != relaxed["nodes"] and peeled["columns"] == relaxed["columns"]
+    assert graph_of(scenes[False]) == peeled
+
+
 def test_the_files_unit_is_the_scenes_unit(write, tmp_path):
     vertices, polygons = meshes.tube()
     small = write("small.obj", meshes.obj_text(vertices * 0.001, polygons))

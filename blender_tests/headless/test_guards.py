@@ -94,6 +94,11 @@ def test_property_defaults_are_those_of_the_library():
     graph = library.build_knit_graph(surface, shape["vertices"][:, 2] / 60.0 - 1.0)
     assert round(scene.stitch_width, 6) == graph.stitch_width
     assert round(scene.stitch_height, 6) == graph.stitch_height
+    # What the panel shows of relaxing is what the library does by itself.
+    again = library.build_knit_graph(
+        surface, shape["vertices"][:, 2] / 60.0 - 1.0, relax=scene.relax
+    )
+    assert (again.nodes == graph.nodes).all()
 
 
 def test_without_the_compiled_module_the_addon_registers_and_says_how_to_build(tmp_path):

@@ -70,6 +70,6 @@ def test_the_teddy_is_closed_and_opens_at_feet_hands_and_ears():
     KNIT.solve_time()
     report = session().report
     # Every rim holds at least six stitches of 3.66 mm.
-    assert all(opening["rim"] > 6 * 3.66 for opening in report["openings"])
+    assert all(opening["rim_length"] > 6 * 3.66 for opening in report["openings"])
     # 2 g - 2 + b of a sphere with six openings.
     assert report["time_field"]["saddles"] == 4

@@ -75,6 +75,11 @@ def test_results_are_stale_after_the_mesh_or_the_gauge_changes(tube):
     bpy.context.scene.meshknit.stitch_height = 1.73
     sessions.look_again(bpy.context, tube)
     assert session().stale_stages() == []
+    bpy.context.scene.meshknit.relax = False
+    sessions.look_again(bpy.context, tube)
+    assert session().stale_stages() == ["graph", "trace", "schedule"]
+    bpy.context.scene.meshknit.relax = True
+    sessions.look_again(bpy.context, tube)
     tube.data.vertices[200].co.x *= 1.05
     sessions.look_again(bpy.context, tube)
     assert not session().is_fresh("check") and not session().is_fresh("graph")

@@ -1,9 +1,8 @@
 #include "skirt.h"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
+#include "mesh_files.h"
 #include "meshknit/core/error.h"
 #include "meshknit/surface/edge_path.h"
 #include "meshknit/time_field/time_field.h"
@@ -23,31 +22,6 @@ Workpiece timed(std::string name, const VertexArray& vertices, const FaceArray& 
   piece.time =
       solve_time_field(piece.surface, {{boundary(start), -1.0}, {boundary(end), 1.0}}).time;
   return piece;
-}
-
-// Vertices and faces of an .obj file; polygons become fans.
-void read_obj(const std::string& path, double scale, VertexArray& vertices, FaceArray& faces) {
-  std::ifstream in(path);
-  if (!in) throw InvalidInput("cannot read " + path);
-  std::vector<double> coordinates;
-  std::vector<int> corners;
-  for (std::string line, word; std::getline(in, line);) {
-    std::istringstream words(line);
-    words >> word;
-    if (word == "v") {
-      for (double x; words >> x;) coordinates.push_back(scale * x);
-    } else if (word == "f") {
-      std::vector<int> polygon;
-      while (words >> word) polygon.push_back(std::stoi(word) - 1);
-      for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        corners.insert(corners.end(), {polygon[0], polygon[i], polygon[i + 1]});
-    }
-    word.clear();
-  }
-  vertices = Eigen::Map<VertexArray>(coordinates.data(),
-                                     static_cast<Eigen::Index>(coordinates.size() / 3), 3);
-  faces =
-      Eigen::Map<FaceArray>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
 }
 
 }  // namespace
@@ -88,10 +62,8 @@ Workpiece workpiece_of(int argc, char** argv) {
     return scale * Eigen::Vector3d(std::stod(argv[first]), std::stod(argv[first + 1]),
                                    std::stod(argv[first + 2]));
   };
-  VertexArray vertices;
-  FaceArray faces;
-  read_obj(argv[1], scale, vertices, faces);
-  return timed(argv[1], vertices, faces, point(3), point(6));
+  const MeshArrays arrays = read_mesh_file(argv[1], scale);
+  return timed(argv[1], arrays.vertices, arrays.faces, point(3), point(6));
 }
 
 }  // namespace meshknit

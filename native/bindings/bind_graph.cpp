@@ -14,6 +14,12 @@ py::dict to_python(const LengthError& error) {
   result["p95"] = error.p95;
   result["within_10"] = error.within_10;
   result["within_20"] = error.within_20;
+  py::list bounds;
+  for (int k = 0; k + 1 < histogram_bins; ++k) bounds.append(histogram_bound(k));
+  py::dict histogram;
+  histogram["bounds"] = bounds;
+  histogram["counts"] = error.histogram;
+  result["histogram"] = histogram;
   return result;
 }
 
@@ -24,6 +30,10 @@ py::dict graph_report(const CheckedGraph& g) {
   report["short_rows"] = g.stats.short_rows;
   report["splits"] = g.stats.splits;
   report["merges"] = g.stats.merges;
+  report["increases"] = g.stats.increases;
+  report["decreases"] = g.stats.decreases;
+  report["short_row_ends"] = g.stats.short_row_ends;
+  report["irregular"] = g.stats.irregular;
   report["row_error"] = to_python(g.stats.row_error);
   report["column_error"] = to_python(g.stats.column_error);
   for (std::size_t k = 0; k < g.check.violations.size(); ++k)
@@ -125,15 +135,16 @@ void bind_graph(py::module_& m) {
   m.def(
       "build_knit_graph",
       [](const Surface& surface, const Doubles& time, double stitch_width, double stitch_height,
-         RunContext* run) {
+         bool relax, RunContext* run) {
         const std::vector<double> field = from_input_order(surface, time);
         py::gil_scoped_release release;
         return std::make_unique<CheckedGraph>(
-            build_knit_graph(surface, field, {stitch_width, stitch_height}, run));
+            build_knit_graph(surface, field, {stitch_width, stitch_height, relax}, run));
       },
       py::arg("surface"), py::arg("time"),
       py::arg("stitch_width") = RemeshOptions().stitch_width,
-      py::arg("stitch_height") = RemeshOptions().stitch_height, py::arg("run") = nullptr);
+      py::arg("stitch_height") = RemeshOptions().stitch_height,
+      py::arg("relax") = RemeshOptions().relax, py::arg("run") = nullptr);
 
   py::class_<StitchTrace>(m, "StitchTrace", py::module_local(),
                           "Traced stitches in construction order.")

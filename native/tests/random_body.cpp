@@ -27,7 +27,7 @@ class Growth {
     limbs_left_ = static_cast<int>(lots_.between(2.0, most_limbs + 1.0));
     const Tip end = grow_limb(root, lots_.between(3.0, 6.5), root.radius);
     end_or_branch(end, 0);
-    body_.blobs.rounding = 0.3 * body_.thinnest;
+    body_.blobs.rounding = 0.45 * body_.thinnest;
     return body_;
   }
 
@@ -54,7 +54,7 @@ class Growth {
     for (const LimbStop& stop : limb) body_.thinnest = std::min(body_.thinnest, stop.radius);
     body_.blobs.limbs.push_back(limb);
     if (lots_.chance(0.35)) add_bump(limb);
-    if (length > 5.0 * radius && body_.handles < 2 && lots_.chance(0.4)) add_handle(limb);
+    if (length > 5.0 * radius && body_.handles < 2 && lots_.chance(0.3)) add_handle(limb);
     return tip;
   }
 

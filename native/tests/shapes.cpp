@@ -138,8 +138,10 @@ std::vector<TimeConstraint> time_constraints(const Surface& surface,
   return constraints;
 }
 
-ExampleShape opened(ExampleShape shape) {
-  CutSurface cut = cut_openings(shape.vertices, shape.faces, {}, shape.openings);
+ExampleShape opened(ExampleShape shape, double stitch_width) {
+  SurfaceOptions options;
+  options.stitch_width = stitch_width;
+  CutSurface cut = cut_openings(shape.vertices, shape.faces, {}, shape.openings, options);
   if (has_errors(cut.problems)) throw NotKnittable(cut.problems);
   shape.vertices = std::move(cut.vertices);
   shape.faces = std::move(cut.faces);
@@ -151,9 +153,11 @@ ExampleShape opened(ExampleShape shape) {
   return shape;
 }
 
-TimedShape timed(const ExampleShape& shape) {
+TimedShape timed(const ExampleShape& shape, double stitch_width) {
+  SurfaceOptions options;
+  options.stitch_width = stitch_width;
   TimedShape result;
-  result.surface = make_surface(shape.vertices, shape.faces);
+  result.surface = make_surface(shape.vertices, shape.faces, options);
   if (has_errors(result.surface.problems)) throw NotKnittable(result.surface.problems);
   result.time = solve_time_field(result.surface, time_constraints(result.surface, shape)).time;
   return result;
@@ -161,6 +165,26 @@ TimedShape timed(const ExampleShape& shape) {
 
 TimedShape shape_named(const std::string& name, double size) {
   return timed(arrays_of_shape(name, size));
+}
+
+RemeshOptions gauge(double times) {
+  RemeshOptions options;
+  options.stitch_width *= times;
+  options.stitch_height *= times;
+  return options;
+}
+
+double smallest_angle(const ExampleShape& shape) {
+  double smallest = pi;
+  for (Eigen::Index f = 0; f < shape.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const auto corner = [&](int i) -> Eigen::Vector3d {
+        return shape.vertices.row(shape.faces(f, (k + i) % 3)).transpose();
+      };
+      const Eigen::Vector3d a = corner(1) - corner(0), b = corner(2) - corner(0);
+      smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+  return smallest * 180.0 / pi;
 }
 
 ExampleShape shuffled(const ExampleShape& shape, unsigned seed) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "meshknit/remesh/remesh.h"
 #include "meshknit/surface/example_shapes.h"
 #include "meshknit/surface/surface.h"
 #include "meshknit/time_field/time_field.h"
@@ -33,15 +34,22 @@ inline constexpr double shape_sizes[] = {0.5, 1.0, 2.0};
 ExampleShape arrays_of_shape(const std::string& name, double size = 1.0);
 
 /// The shape with its openings cut; their times go to the rims. Throws: NotKnittable if one cannot
-/// be cut.
-ExampleShape opened(ExampleShape shape);
+/// be cut, or is too small for stitches this wide.
+ExampleShape opened(ExampleShape shape, double stitch_width = 3.66);
 
 /// What a shape's marks say about its surface. Requires: a shape without openings.
 std::vector<TimeConstraint> time_constraints(const Surface& surface, const ExampleShape& shape);
 
-/// Surface and time field. Throws: NotKnittable if it has none.
-TimedShape timed(const ExampleShape& shape);
+/// Surface and time field. Throws: NotKnittable if it has none, or a boundary is too short for
+/// stitches this wide.
+TimedShape timed(const ExampleShape& shape, double stitch_width = 3.66);
 TimedShape shape_named(const std::string& name, double size = 1.0);
+
+/// Stitches `times` as wide and high as the default ones.
+RemeshOptions gauge(double times);
+
+/// The smallest angle of a shape's triangles, degrees.
+double smallest_angle(const ExampleShape& shape);
 
 /// The same shape with its vertices and faces in another order.
 ExampleShape shuffled(const ExampleShape& shape, unsigned seed);

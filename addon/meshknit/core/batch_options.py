@@ -77,6 +77,7 @@ def _make_parser():
     add("--machine", metavar="NAME", default=None, help="a machine profile, or a profile file")
     add("--stitch-width", type=float, metavar="MM", help="default 3.66")
     add("--stitch-height", type=float, metavar="MM", help="default 1.73")
+    add("--no-relax", action="store_true", help="leave the stitches where peeling put them")
     add("--output", metavar="FILE.k", help="knitout, written if the independent check passed")
     add("--kcode", metavar="FILE.kc", help="Kniterate's own file")
     add("--graph", metavar="FILE.json")

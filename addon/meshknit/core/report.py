@@ -77,6 +77,7 @@ def summary_lines(report):
         lines.append(("Rows", f"{graph['rows']} ({graph['short_rows']} short)"))
         lines.append(("Rows ±10 %", f"{graph['row_error']['within_10']:.1%}"))
         lines.append(("Cols. ±10 %", f"{graph['column_error']['within_10']:.1%}"))
+        lines.append(("Irregular", f"{graph['irregular'] / graph['nodes']:.1%}"))
     if "trace" in report:
         lines.append(("Stitches", f"{report['trace']['stitches']}"))
     if "program" in report:

@@ -62,7 +62,8 @@ def stage_keys(model, settings):
     marks = [(c.vertices, c.time, c.on_surface) for c in model.constraints]
     own = model.own_time if model.own_time is not None else marks
     field_key = digest("time", check, own, [o.time for o in model.openings])
-    graph = digest("graph", field_key, settings.stitch_width, settings.stitch_height)
+    gauge = (settings.stitch_width, settings.stitch_height, settings.relax)
+    graph = digest("graph", field_key, *gauge)
     trace = digest("trace", graph)
     schedule = digest("schedule", trace, settings.machine)
     emit = digest("emit", schedule)
@@ -181,6 +182,7 @@ def _graph(library, model, settings, before, context):
         before["time"][0],
         settings.stitch_width,
         settings.stitch_height,
+        settings.relax,
         context,
     )
     return graph, graph.problems

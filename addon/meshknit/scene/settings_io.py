@@ -15,4 +15,5 @@ def read_settings(scene):
 
         machine = read_machine(bpy.path.abspath(path))
     # Properties are single precision: rounding gives back what was typed.
-    return Settings(round(properties.stitch_width, 6), round(properties.stitch_height, 6), machine)
+    width, height = round(properties.stitch_width, 6), round(properties.stitch_height, 6)
+    return Settings(width, height, properties.relax, machine)

@@ -10,13 +10,24 @@
 namespace meshknit {
 namespace {
 
+int histogram_bin(double signed_error) {
+  // A perfect edge may be a rounding too short.
+  const double rounding = 1e-12;
+  int bin = 0;
+  while (bin < histogram_bins - 1 && signed_error + rounding >= histogram_bound(bin)) ++bin;
+  return bin;
+}
+
 LengthError measure_lengths(const std::vector<double>& lengths, double wanted) {
   LengthError error;
   error.edges = static_cast<int>(lengths.size());
   if (lengths.empty()) return error;
   std::vector<double> errors;
   errors.reserve(lengths.size());
-  for (const double length : lengths) errors.push_back(std::abs(length - wanted) / wanted);
+  for (const double length : lengths) {
+    errors.push_back(std::abs(length - wanted) / wanted);
+    ++error.histogram[histogram_bin((length - wanted) / wanted)];
+  }
   std::sort(errors.begin(), errors.end());
 
   const double count = static_cast<double>(errors.size());
@@ -34,6 +45,23 @@ LengthError measure_lengths(const std::vector<double>& lengths, double wanted) {
   error.within_10 = within(0.1);
   error.within_20 = within(0.2);
   return error;
+}
+
+void count_irregular_nodes(const KnitGraph& graph, KnitGraphStats& stats) {
+  std::vector<int> up(graph.nodes.size(), 0), down(graph.nodes.size(), 0);
+  std::vector<char> ends_row(graph.nodes.size(), 0);
+  for (const auto& [from, to] : graph.columns) {
+    ++up[from];
+    ++down[to];
+  }
+  for (const KnitRow& row : graph.rows)
+    if (!row.closed) ends_row[row.nodes.front()] = ends_row[row.nodes.back()] = 1;
+  for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
+    stats.increases += up[node] == 2;
+    stats.decreases += down[node] == 2;
+    stats.short_row_ends += ends_row[node];
+    stats.irregular += up[node] == 2 || down[node] == 2 || ends_row[node];
+  }
 }
 
 }  // namespace
@@ -85,6 +113,7 @@ KnitGraphStats measure_graph(const KnitGraph& graph) {
     row_lengths.insert(row_lengths.end(), graph.row_lengths[row].begin(),
                        graph.row_lengths[row].end());
   }
+  count_irregular_nodes(graph, stats);
   stats.row_error = measure_lengths(row_lengths, graph.stitch_width);
   stats.column_error = measure_lengths(graph.column_lengths, 2.0 * graph.stitch_height);
   return stats;

@@ -35,6 +35,12 @@ Problems check_feasible_splits(const KnitGraph& graph);
 /// more time than an average column edge.
 Problems check_time_aligned(const KnitGraph& graph);
 
+/// Bins for signed errors (length - wanted) / wanted: 5 % wide from -50 % to 50 %, each with its
+/// lower bound, and one for all that is below and one for all that is above.
+inline constexpr int histogram_bins = 22;
+/// Between bin k and bin k + 1. Requires: 0 <= k < histogram_bins - 1.
+constexpr double histogram_bound(int k) { return (k - 10) / 20.0; }
+
 /// Relative length errors |length - wanted| / wanted of one kind of edge (Property 8). The 95th
 /// percentile is the smallest error that at least 95 % of the edges do not exceed.
 struct LengthError {
@@ -43,11 +49,15 @@ struct LengthError {
   double p95 = 0.0;
   double within_10 = 0.0;  ///< fraction of edges within 10 %
   double within_20 = 0.0;
+  std::array<int, histogram_bins> histogram{};  ///< edges a bin: too short first
 };
 
 /// What the report says of a graph.
 struct KnitGraphStats {
   int nodes = 0, rows = 0, short_rows = 0, splits = 0, merges = 0;
+  int increases = 0, decreases = 0;  ///< nodes with two columns up, with two down
+  int short_row_ends = 0;
+  int irregular = 0;  ///< nodes that are one or more of these three
   LengthError row_error, column_error;
 };
 KnitGraphStats measure_graph(const KnitGraph& graph);

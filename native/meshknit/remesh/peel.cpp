@@ -4,6 +4,7 @@
 
 #include "meshknit/surface/refine.h"
 #include "meshknit/surface/reorder.h"
+#include "meshknit/time_field/rim_ties.h"
 #include "meshknit/time_field/unfold_saddles.h"
 
 namespace meshknit {
@@ -14,11 +15,12 @@ namespace {
 constexpr double fine_edge = 0.8;
 
 PeelState fine_state(const Surface& surface, const std::vector<double>& time, double edge,
-                     std::vector<int>& source_face) {
+                     std::vector<int>& source_face, RunContext* run) {
   std::vector<double> unfolded = time;
   unfold_saddles(surface.mesh, unfolded);
-  RefinedMesh fine = refine_mesh(surface.mesh, unfolded, edge);
-  reorder_by_value(fine);
+  RefinedMesh fine = refine_mesh(surface.mesh, unfolded, edge, run);
+  part_from_rims(fine.mesh, fine.value);
+  reorder_by_value(fine, run);
   for (const int face : fine.source_face) source_face.push_back(surface.source_face[face]);
   PeelState state;
   state.mesh = std::move(fine.mesh);
@@ -33,12 +35,13 @@ PeelState fine_state(const Surface& surface, const std::vector<double>& time, do
 
 }  // namespace
 
-Peel::Peel(const Surface& surface, const std::vector<double>& time, const RemeshOptions& given)
+Peel::Peel(const Surface& surface, const std::vector<double>& time, const RemeshOptions& given,
+           RunContext* run)
     : options(given),
       row_height(2.0 * given.stitch_height),
       state(fine_state(surface, time, fine_edge * std::min(given.stitch_width, row_height),
-                       source_face)),
-      plan(plan_sweep(state, row_height)),
+                       source_face, run)),
+      plan(plan_sweep(state, row_height, run)),
       limits(plan),
       band(state, limits),
       slicer(state, limits),

@@ -18,7 +18,9 @@ inline constexpr int fewest_round = 4;
 /// What all steps of peeling share: the surface, the plan, the graph, and tools that keep their
 /// scratch memory between rows.
 struct Peel {
-  Peel(const Surface& surface, const std::vector<double>& time, const RemeshOptions& options);
+  /// Throws: Cancelled.
+  Peel(const Surface& surface, const std::vector<double>& time, const RemeshOptions& options,
+       RunContext* run);
   Peel(const Peel&) = delete;
   Peel& operator=(const Peel&) = delete;
 

@@ -13,8 +13,9 @@ namespace meshknit {
 /// one after another, in the order in which the time field begins them, and joined at saddles.
 class Peeling {
  public:
-  Peeling(const Surface& surface, const std::vector<double>& time,
-          const RemeshOptions& options);
+  /// Throws: NotKnittable, Cancelled.
+  Peeling(const Surface& surface, const std::vector<double>& time, const RemeshOptions& options,
+          RunContext* run = nullptr);
 
   bool done() const { return done_; }
   double progress() const;  ///< fraction of the surface that is knitted

@@ -74,7 +74,7 @@ KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
   require_sensible_size(surface, options);
   require_some_rows(surface, options);
   report(run, 0.0);
-  Peeling peeling(surface, time, options);
+  Peeling peeling(surface, time, options, run);
   while (!peeling.done()) {
     report(run, share_of_peeling * peeling.progress());
     peeling.step();

@@ -122,11 +122,14 @@ double SweepPlan::end_fraction(const PeelState& state, int u, int w) const {
   return std::clamp(fraction, least_fraction, 1.0);
 }
 
-SweepPlan plan_sweep(const PeelState& state, double row_height) {
+SweepPlan plan_sweep(const PeelState& state, double row_height, RunContext* run) {
   SweepPlan plan;
-  plan.reeb = reeb_graph(state.mesh, state.time);
+  plan.reeb = reeb_graph(state.mesh, state.time, run);
+  report(run, 0.0);
   divide(state, row_height, plan);
+  report(run, 0.0);
   measure_to_end(state, row_height, plan);
+  report(run, 0.0);
   plan.vertices_of_region.resize(plan.regions());
   for (std::size_t v = 0; v < plan.region.size(); ++v)
     plan.vertices_of_region[plan.region[v]].push_back(static_cast<int>(v));

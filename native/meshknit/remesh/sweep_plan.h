@@ -37,6 +37,7 @@ struct SweepPlan {
 inline constexpr double planned_rows = 40.0;
 
 /// Requires: state.mesh, .time and .edge_length; one time on each boundary.
-SweepPlan plan_sweep(const PeelState& state, double row_height);
+/// Throws: Cancelled.
+SweepPlan plan_sweep(const PeelState& state, double row_height, RunContext* run = nullptr);
 
 }  // namespace meshknit

@@ -9,9 +9,6 @@ namespace {
 // Walls keep further from vertices than level sets do: their places are known less exactly.
 constexpr double clear_of_vertices = 0.02;
 
-// A pocket with more vertices than this is a part of the object, not a flaw of the row.
-constexpr std::size_t largest_pocket = 400;
-
 // How far inside a region a place is, along the active cycle; negative outside.
 double inside_by(const TrimRegion& r, double foot, double height, double length) {
   const double begin = r.begin_below + height * around(r.begin_below, r.begin_above, length);
@@ -35,7 +32,8 @@ Trimmer::Trimmer(PeelState& state, const KnitLimits& limits)
 
 std::optional<Cycle> Trimmer::trim(const GeodesicBand& band, const Cycle& active,
                                    const Cycle& next, const RowLevel& level,
-                                   const std::vector<TrimRegion>& regions) {
+                                   const std::vector<TrimRegion>& regions,
+                                   std::size_t largest_pocket) {
   const double length = active.length();
   const auto part = [&](int v) { return band.distance(v) / level.height(v, band.distance(v)); };
   const auto depth = [&](int v) {
@@ -84,8 +82,8 @@ std::optional<Cycle> Trimmer::trim(const GeodesicBand& band, const Cycle& active
                      [](const Cycle& a, const Cycle& b) { return a.length() < b.length(); });
     bool mended = false;
     for (const Cycle& island : cycles)
-      mended = close_pocket(island, knitted_now) || reopen_island(island, all_now) || mended;
-    if (!mended) break;
+      mended = close_pocket(island, largest_pocket, knitted_now) ||
+               reopen_island(island, all_now) || mended;
   }
   for (const int v : knitted_now) state_.knitted[v] = 0;
   for (auto old = old_crossings.rbegin(); old != old_crossings.rend(); ++old)
@@ -127,7 +125,8 @@ std::vector<Cycle> Trimmer::walk(const std::vector<int>& crossed) {
 }
 
 // Knits over the open vertices inside an island, if they are few and all of this tube.
-bool Trimmer::close_pocket(const Cycle& island, std::vector<int>& knitted_now) {
+bool Trimmer::close_pocket(const Cycle& island, std::size_t largest_pocket,
+                           std::vector<int>& knitted_now) {
   std::vector<int> pocket{state_.to(island.crossings.front().halfedge)};
   if (state_.knitted[pocket[0]]) return true;  // closed already
   bool small = true;

@@ -21,6 +21,18 @@ int worthwhile_run(int count) { return std::min(count / 6, std::max(12, count / 
 // node.
 constexpr double beyond_end = 0.1;
 
+// A column that leans more than this is a flaw of its row and says nothing of the next.
+constexpr double most_lean = 1.3;
+
+// How fast the expected lean follows that of the last rows.
+constexpr double lean_update = 0.3;
+
+// Where the way to the end is shared out, no row is higher than this, in rows.
+constexpr double highest = 1.25;
+
+// A part of a row that stands higher than this part of a row's height is worth knitting.
+constexpr double least_height = 0.7;
+
 std::vector<double> times_of(const PeelState& state, const Cycle& cycle) {
   std::vector<double> times;
   for (const EdgeCrossing& c : cycle.crossings) {
@@ -47,8 +59,9 @@ void TubePeeling::resume() {
 }
 
 bool TubePeeling::peel_row() {
+  if (ended_) return false;
   const RestOfTube rest =
-      rest_of_tube(peel_.state, peel_.plan, arc_, active_.cycle, peel_.row_height);
+      rest_of_tube(peel_.state, peel_.plan, arc_, active_.cycle, row_height());
   if (whole_ && rest.mean < 0.5 * peel_.row_height && rest.most < peel_.row_height)
     return false;
   const bool last = rest.near && rest.rows == 1;
@@ -57,17 +70,21 @@ bool TubePeeling::peel_row() {
     knit_last(rest);
     return true;
   }
-  Candidate c =
-      rest.near
-          ? candidate(RowLevel::part_of_rest(rest.rows, 1.25 * peel_.row_height, peel_.plan),
-                      1.5 * peel_.row_height)
-          : candidate(RowLevel::of_height(rest.height), 1.2 * rest.height);
+  const RowLevel level =
+      rest.near ? RowLevel::part_of_rest(rest.rows, highest * row_height(), peel_.plan)
+                : RowLevel::of_height(rest.height);
+  peel_.band.measure({&active_.cycle}, 1.2 * highest * peel_.row_height);
+  Candidate c = candidate(level);
   if (!rest.near) {
     c.row.runs = accept(c, worthwhile_run(static_cast<int>(c.row.place.size())));
     if (!c.row.runs.empty() && knit_runs(c, c.row.runs)) return true;
   }
   c.row.runs.clear();
-  if (knit(c) || knit_into_pocket(c)) return true;
+  if (knit(c) || knit_into_pocket(level) || knit(c, Turns::apart, large_pocket)) return true;
+  if (rest.near && rest.rows <= 2) {
+    knit_last(rest);
+    return true;
+  }
 
   const int vertex = peel_.state.to(c.next.cycle.crossings.front().halfedge);
   Problem problem;
@@ -83,8 +100,7 @@ bool TubePeeling::peel_row() {
   throw NotKnittable({problem});
 }
 
-TubePeeling::Candidate TubePeeling::candidate(const RowLevel& level, double limit) {
-  peel_.band.measure({&active_.cycle}, limit);
+TubePeeling::Candidate TubePeeling::candidate(const RowLevel& level) {
   std::vector<NextCycle> cycles = peel_.slicer.slice(peel_.band, {&active_.cycle}, level);
   if (cycles.empty()) throw BrokenPromise("slicing found no next cycle");
   Candidate c{level, {}, {}, {}};
@@ -98,8 +114,8 @@ TubePeeling::Candidate TubePeeling::candidate(const RowLevel& level, double limi
 
 void TubePeeling::knit_last(const RestOfTube& rest) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Candidate c = candidate(RowLevel::part_of_rest(1, infinity, peel_.plan),
-                          rest.most + 2.0 * peel_.row_height);
+  peel_.band.measure({&active_.cycle}, rest.most + 2.0 * peel_.row_height);
+  Candidate c = candidate(RowLevel::part_of_rest(1, infinity, peel_.plan));
   link(c);
   if (c.row.links.empty()) throw BrokenPromise("linking found no columns between two rows");
   for (const EdgeCrossing& crossing : c.next.cycle.crossings)
@@ -109,36 +125,52 @@ void TubePeeling::knit_last(const RestOfTube& rest) {
     peel_.state.knitted[v] = 1;
   }
   add(c, c.next.cycle);
+  ended_ = true;
 }
 
-bool TubePeeling::knit(Candidate c) {
+bool TubePeeling::knit(Candidate c, Turns turns, std::size_t largest_pocket) {
   const bool short_rows = !c.row.runs.empty();
-  keep_turns_apart(c);
+  if (turns == Turns::apart)
+    keep_turns_apart(c);
+  else
+    link(c);
+  if (c.row.links.empty()) return false;
   if (short_rows && c.row.runs.empty()) return false;
-  std::optional<Cycle> cycle =
-      peel_.trimmer.trim(peel_.band, active_.cycle, c.next.cycle, c.level, regions(c));
-  if (!cycle || (!c.row.runs.empty() && peel_.trimmer.newly_knitted() == 0)) return false;
+  std::optional<Cycle> cycle = peel_.trimmer.trim(peel_.band, active_.cycle, c.next.cycle,
+                                                  c.level, regions(c), largest_pocket);
+  if (!cycle || peel_.trimmer.newly_knitted() == 0) return false;
   peel_.knitted += peel_.trimmer.newly_knitted();
   add(c, std::move(*cycle));
   return true;
 }
 
-bool TubePeeling::knit_runs(const Candidate& c, std::vector<NodeRun> runs) {
+bool TubePeeling::knit_runs(const Candidate& c, std::vector<NodeRun> runs, Turns turns) {
   Candidate some = c;
   some.row.runs = std::move(runs);
-  return knit(std::move(some));
+  return knit(std::move(some), turns);
 }
 
-bool TubePeeling::knit_into_pocket(const Candidate& c) {
-  // What closes the part off lies later than the part itself.
-  std::vector<double> times = c.row.time;
+bool TubePeeling::knit_into_pocket(const RowLevel& level) {
+  // What closes the part off lies later than the part itself: leave the latest out, as little as
+  // will do.
+  std::vector<double> times;
+  for (const int v : peel_.band.reached())
+    if (peel_.limits.may_knit(v)) times.push_back(peel_.state.time[v]);
   std::sort(times.begin(), times.end());
-  const std::vector<double> gains(c.row.time.size(), 0.0);
-  for (const double part : {0.9, 0.75, 0.6, 0.45, 0.3, 0.15}) {
+  if (times.empty()) return false;
+  for (const double part : {0.97, 0.93, 0.88, 0.82, 0.75, 0.67, 0.58, 0.5, 0.42, 0.34, 0.26,
+                            0.19, 0.13, 0.08, 0.04, 0.02}) {
     const double latest = times[static_cast<std::size_t>(part * (times.size() - 1))];
+    const Candidate c = candidate(level.not_later_than(latest, peel_.state));
+    std::vector<double> lack;  // of height
+    for (const double place : c.row.place)
+      lack.push_back(least_height * row_height() -
+                     c.next.cycle.value(c.next.cycle.at(place), c.next.gap));
+    const std::vector<double> gains(lack.size(), 0.0);
     std::vector<NodeRun> runs =
-        accept_by_time(c.row.time, gains, latest, fewest_in_short_row, fewest_in_short_row);
-    if (!runs.empty() && knit_runs(c, std::move(runs))) return true;
+        accept_by_time(lack, gains, 0.0, fewest_in_short_row, fewest_in_short_row);
+    if (!runs.empty() && (knit_runs(c, runs) || knit_runs(c, runs, Turns::anywhere)))
+      return true;
   }
   return false;
 }
@@ -163,9 +195,10 @@ std::vector<NodeRun> TubePeeling::accept(const Candidate& c, int worthwhile) con
 }
 
 bool TubePeeling::even_out(const RestOfTube& rest) {
-  const double height = peel_.row_height, enough = (rest.rows + 0.5) * height;
+  const double height = row_height(), enough = (rest.rows + 0.5) * height;
   if (rest.most < enough) return false;
-  const Candidate c = candidate(RowLevel::of_height(height), 1.2 * height);
+  peel_.band.measure({&active_.cycle}, 1.2 * height);
+  const Candidate c = candidate(RowLevel::of_height(height));
   std::vector<double> lateness;
   for (const double place : c.row.place) {
     const CyclePoint below = active_.cycle.at(foot_of(c.next, place));
@@ -203,6 +236,11 @@ void TubePeeling::link(Candidate& c) const {
   problem.next_length = c.next.cycle.length();
   problem.row_height = peel_.row_height;
   row.links = link_rows(problem);
+  double sum = 0.0;
+  for (const Link& l : row.links)
+    sum +=
+        std::min(most_lean, std::hypot(1.0, sideways(problem, l[0], l[1]) / peel_.row_height));
+  if (!row.links.empty()) c.lean = sum / static_cast<double>(row.links.size());
 }
 
 // Links the row. A short row must not end right above the end of another: the tucks of both
@@ -280,6 +318,7 @@ void TubePeeling::add(const Candidate& c, Cycle cycle) {
 
   std::vector<ActiveNode> nodes;
   whole_ = row.runs.empty();
+  lean_ += lean_update * (c.lean - lean_);
   if (whole_) {
     for (int j = 0; j < count; ++j) nodes.push_back(above(j));
   } else {

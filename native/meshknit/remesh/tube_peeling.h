@@ -30,19 +30,25 @@ class TubePeeling {
     NextCycle next;
     std::vector<NodeImage> images;
     NextRow row;
+    double lean = 1.0;  ///< mean length of the columns over the row's height
   };
 
-  Candidate candidate(const RowLevel& level, double limit);
+  /// Requires: the band is measured from the active cycle, beyond the level.
+  Candidate candidate(const RowLevel& level);
   std::vector<NodeRun> accept(const Candidate& c, int worthwhile) const;
   /// Near the end: a short row where the end is further away than elsewhere, if any is worth it.
   bool even_out(const RestOfTube& rest);
+  /// Whether a short row may end right above the end of another.
+  enum class Turns { apart, anywhere };
   /// Links, trims and adds the row; false if its runs cannot be knit.
-  bool knit(Candidate c);
-  bool knit_runs(const Candidate& c, std::vector<NodeRun> runs);
+  bool knit(Candidate c, Turns turns = Turns::apart, std::size_t largest_pocket = small_pocket);
+  bool knit_runs(const Candidate& c, std::vector<NodeRun> runs, Turns turns = Turns::apart);
   /// Where a whole row would close off a part that is still to be knit: short rows into that part.
-  bool knit_into_pocket(const Candidate& c);
+  bool knit_into_pocket(const RowLevel& level);
   void knit_last(const RestOfTube& rest);
 
+  /// Columns lean beside shaping: rows stand so much lower that columns are 2 l_c long on average.
+  double row_height() const { return peel_.row_height / lean_; }
   double foot_of(const NextCycle& next, double place) const;
   void link(Candidate& c) const;
   void keep_turns_apart(Candidate& c) const;
@@ -53,7 +59,9 @@ class TubePeeling {
   int arc_;
   ActiveCycle active_;
   int fewest_;
-  bool whole_ = true;  // the active cycle is one closed row
+  double lean_ = 1.0;   // of the last rows
+  bool whole_ = true;   // the active cycle is one closed row
+  bool ended_ = false;  // the last row is knit
 };
 
 }  // namespace meshknit

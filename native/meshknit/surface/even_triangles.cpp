@@ -15,6 +15,8 @@ constexpr int rounds = 6;
 // Faces may lean away from the smooth surface by less than about 70 degrees; what leans more is
 // about to fold over.
 constexpr double least_lean = 0.3;
+// In a tight crease any face leans; a sliver there is worse than a face that leans more.
+constexpr double sliver = 0.4;  // of the edge length
 
 class Evening {
  public:
@@ -24,7 +26,8 @@ class Evening {
         rim_(rim),
         surface_(surface),
         longest_(edge_length * 4.0 / 3.0),
-        shortest_(edge_length * 4.0 / 5.0) {
+        shortest_(edge_length * 4.0 / 5.0),
+        sliver_(edge_length * sliver) {
     mesh_.request_vertex_status();
     mesh_.request_edge_status();
     mesh_.request_halfedge_status();
@@ -36,11 +39,13 @@ class Evening {
   void run() {
     for (int round = 0; round < rounds; ++round) {
       split_long_edges();
-      collapse_short_edges();
+      collapse_edges_below(shortest_);
       flip_edges();
       centre_vertices();
     }
     flip_edges();
+    // What moving and flipping left too short has no later round to go.
+    collapse_edges_below(sliver_);
     rim_.resize(mesh_.n_vertices());
     for (const Vertex v : mesh_.vertices()) rim_[v.idx()] = mesh_.property(number_, v);
     mesh_.remove_property(number_);
@@ -68,11 +73,11 @@ class Evening {
     }
   }
 
-  void collapse_short_edges() {
+  void collapse_edges_below(double length) {
     const auto edges = static_cast<int>(mesh_.n_edges());
     for (int e = 0; e < edges; ++e) {
       const Edge edge(e);
-      if (mesh_.status(edge).deleted() || mesh_.calc_edge_length(edge) >= shortest_) continue;
+      if (mesh_.status(edge).deleted() || mesh_.calc_edge_length(edge) >= length) continue;
       for (int side = 0; side < 2; ++side) {
         const Halfedge half = mesh_.halfedge_handle(edge, side);
         if (!may_collapse(half)) continue;
@@ -91,13 +96,15 @@ class Evening {
       return false;
     if (!mesh_.is_collapse_ok(half)) return false;
     const Vector3d target = mesh_.point(to), normal = surface_.normal(target);
+    const double lean = (mesh_.point(from) - target).norm() < sliver_ ? 0.0 : least_lean;
     for (const Vertex v : mesh_.vv_range(from))
       if ((mesh_.point(v) - target).norm() > longest_) return false;
     for (const Halfedge out : mesh_.voh_range(from)) {
       if (mesh_.is_boundary(out)) continue;
       const Vertex a = mesh_.to_vertex_handle(out);
       const Vertex b = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(out));
-      if (a != to && b != to && !faces_out(target, mesh_.point(a), mesh_.point(b), normal))
+      if (a != to && b != to &&
+          !faces_out(target, mesh_.point(a), mesh_.point(b), normal, lean))
         return false;
     }
     return true;
@@ -105,9 +112,9 @@ class Evening {
 
   // Whether a triangle faces out, given the surface's normal near it.
   static bool faces_out(const Vector3d& a, const Vector3d& b, const Vector3d& c,
-                        const Vector3d& out) {
+                        const Vector3d& out, double lean = least_lean) {
     const Vector3d normal = (b - a).cross(c - a);
-    return normal.dot(out) > least_lean * normal.norm();
+    return normal.dot(out) > lean * normal.norm();
   }
 
   // One pass is enough in a round: vertices move afterwards anyway.
@@ -163,7 +170,7 @@ class Evening {
   TriangleMesh& mesh_;
   std::vector<int>& rim_;
   const SmoothSurface& surface_;
-  double longest_, shortest_;
+  double longest_, shortest_, sliver_;
   OpenMesh::VPropHandleT<int> number_;
 };
 

@@ -15,14 +15,15 @@ using VertexHandle = OpenMesh::VertexHandle;
 
 class Refiner {
  public:
-  Refiner(RefinedMesh& refined, double max_edge)
-      : refined_(refined), mesh_(refined.mesh), max_squared_(max_edge * max_edge) {}
+  Refiner(RefinedMesh& refined, double max_edge, RunContext* run)
+      : refined_(refined), mesh_(refined.mesh), max_squared_(max_edge * max_edge), run_(run) {}
 
   void split_long_edges() {
     for (const auto edge : mesh_.edges()) push_if_long(edge);
     // Positions never move, so an edge's length changes only when it is split itself, and the
     // queue never holds a stale one.
-    while (!queue_.empty()) {
+    for (int splits = 0; !queue_.empty(); ++splits) {
+      if (splits % 4096 == 0) report(run_, 0.0);
       const EdgeHandle edge(-queue_.top().second);
       queue_.pop();
       const VertexHandle middle = split(edge);
@@ -63,19 +64,20 @@ class Refiner {
   TriangleMesh& mesh_;
   double max_squared_;
   std::priority_queue<std::pair<double, int>> queue_;
+  RunContext* run_;
 };
 
 }  // namespace
 
 RefinedMesh refine_mesh(const TriangleMesh& mesh, const std::vector<double>& value,
-                        double max_edge) {
+                        double max_edge, RunContext* run) {
   if (value.size() != mesh.n_vertices())
     throw InvalidInput("refine_mesh: one value is needed for every vertex");
   if (!(max_edge > 0.0)) throw InvalidInput("refine_mesh: max_edge must be positive");
   RefinedMesh refined{mesh, value, std::vector<int>(mesh.n_faces())};
   for (std::size_t f = 0; f < refined.source_face.size(); ++f)
     refined.source_face[f] = static_cast<int>(f);
-  Refiner refiner(refined, max_edge);
+  Refiner refiner(refined, max_edge, run);
   refiner.split_long_edges();
   refiner.split_bridges();
   return refined;

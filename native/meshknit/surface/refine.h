@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "meshknit/core/run_context.h"
 #include "meshknit/surface/triangle_mesh.h"
 
 namespace meshknit {
@@ -18,9 +19,9 @@ struct RefinedMesh {
 /// geometry is unchanged.
 /// Requires: manifold mesh with finite positions. The result has about area / max_edge^2 faces
 /// or more.
-/// Throws: InvalidInput if there is not one value a vertex or max_edge is not positive.
+/// Throws: InvalidInput if there is not one value a vertex or max_edge is not positive; Cancelled.
 /// Ensures: a face has three boundary vertices only if all its edges are boundary edges.
 RefinedMesh refine_mesh(const TriangleMesh& mesh, const std::vector<double>& value,
-                        double max_edge);
+                        double max_edge, RunContext* run = nullptr);
 
 }  // namespace meshknit

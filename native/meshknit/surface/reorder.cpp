@@ -6,7 +6,7 @@
 
 namespace meshknit {
 
-std::vector<int> reorder_by_value(RefinedMesh& refined) {
+std::vector<int> reorder_by_value(RefinedMesh& refined, RunContext* run) {
   const TriangleMesh& mesh = refined.mesh;
   std::vector<int> order(mesh.n_vertices()), number(mesh.n_vertices());
   std::iota(order.begin(), order.end(), 0);
@@ -32,6 +32,7 @@ std::vector<int> reorder_by_value(RefinedMesh& refined) {
   std::sort(faces.begin(), faces.end(),
             [](const Face& a, const Face& b) { return a.corners < b.corners; });
 
+  report(run, 0.0);
   RefinedMesh sorted;
   sorted.mesh.reserve(mesh.n_vertices(), mesh.n_edges(), mesh.n_faces());
   for (const int v : order) {
@@ -43,6 +44,7 @@ std::vector<int> reorder_by_value(RefinedMesh& refined) {
     sorted.mesh.add_face(V(face.corners[0]), V(face.corners[1]), V(face.corners[2]));
     sorted.source_face.push_back(face.source);
   }
+  report(run, 0.0);
   refined = std::move(sorted);
   return number;
 }

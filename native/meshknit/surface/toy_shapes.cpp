@@ -49,7 +49,7 @@ ExampleShape teddy() {
         {{{side * 17.0, 0.0, 36.0}, 16.0}, {{side * 27.0, -4.0, -8.0}, 14.0}});
     tips.push_back({{side * 29.0, -5.0, -24.0}, 11.0, -1.0});
     tips.push_back({{side * 80.0, -11.0, 56.0}, 9.0, 0.7});
-    tips.push_back({{side * 36.0, 0.0, 151.0}, 7.0, 1.0});
+    tips.push_back({{side * 36.0, 0.0, 151.0}, 8.2, 1.0});
   }
   ExampleShape shape = shape_of_blobs(blobs, {}, 5.0);
   for (const Tip& tip : tips) {

@@ -33,9 +33,12 @@ class Sweep {
     graph_.arc_of_vertex.assign(mesh.n_vertices(), -1);
   }
 
-  ReebGraph run() {
+  ReebGraph run(RunContext* run) {
     std::vector<Spot> spots = find_spots();
-    for (Spot& spot : spots) pass(spot);
+    for (std::size_t k = 0; k < spots.size(); ++k) {
+      if (k % 4096 == 0) report(run, 0.0);
+      pass(spots[k]);
+    }
     return std::move(graph_);
   }
 
@@ -169,8 +172,9 @@ class Sweep {
 
 }  // namespace
 
-ReebGraph reeb_graph(const TriangleMesh& mesh, const std::vector<double>& time) {
-  return Sweep(mesh, time).run();
+ReebGraph reeb_graph(const TriangleMesh& mesh, const std::vector<double>& time,
+                     RunContext* run) {
+  return Sweep(mesh, time).run(run);
 }
 
 }  // namespace meshknit

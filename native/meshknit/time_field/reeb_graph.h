@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "meshknit/core/run_context.h"
 #include "meshknit/surface/triangle_mesh.h"
 
 namespace meshknit {
@@ -33,7 +34,9 @@ struct ReebGraph {
 
 /// Sweeps the level sets up through the field. Ties are one place, not broken by index.
 /// Requires: a finite time per vertex, one time on each boundary.
-/// Ensures: every arc joins an earlier to a later event; the indices sum up to 2 - 2g.
-ReebGraph reeb_graph(const TriangleMesh& mesh, const std::vector<double>& time);
+/// Throws: Cancelled.
+/// Ensures: every arc joins an event to one further on in the list; the indices sum up to 2 - 2g.
+ReebGraph reeb_graph(const TriangleMesh& mesh, const std::vector<double>& time,
+                     RunContext* run = nullptr);
 
 }  // namespace meshknit

@@ -56,9 +56,9 @@ TEST_P(EveryShape, GivesAGraphThatCanBeKnitAndFitsAtThreeSizes) {
     const KnitGraph graph = remesh(shape);
     EXPECT_EQ(errors_of(check_knit_graph(graph).problems), "");
     const KnitGraphStats stats = measure_graph(graph);
-    // A node covers l_r x 2 l_c of the surface.
+    // A node covers l_r x 2 l_c of the surface, less where columns lean beside shaping.
     const double wanted = shape.surface.area / (3.66 * 3.46);
-    EXPECT_NEAR(stats.nodes, wanted, 0.12 * wanted);
+    EXPECT_NEAR(stats.nodes, wanted, 0.15 * wanted);
     EXPECT_GE(stats.row_error.within_10, 0.93);
     EXPECT_GE(stats.column_error.within_20, 0.95);
   }

@@ -69,6 +69,11 @@ TEST(RandomSurfaces, HoldSplitsMergesHandlesAndRimsBetween) {
     EXPECT_GE(kind, 4);
 }
 
+TEST(RandomSurfaces, HaveNoSlivers) {
+  for (std::uint32_t seed = 0; seed < seeds; ++seed)
+    EXPECT_GT(smallest_angle(surfaces()[seed].shape), 5.0) << "seed " << seed;
+}
+
 TEST(RandomSurfaces, AreTheSameForTheSameSeed) {
   const RandomSurface again = random_surface(3);
   EXPECT_EQ(again.shape.vertices, surfaces()[3].shape.vertices);
