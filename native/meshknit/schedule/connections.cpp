@@ -20,6 +20,34 @@ namespace {
   throw NotKnittable({problem});
 }
 
+// Two tubes become one, or one becomes two, and every loop goes on.
+void require_pairs(const StitchTrace& trace, const SteppedTubes& tubes) {
+  for (const TubeSteps& tube : tubes.tubes) {
+    if (tube.below.empty()) continue;
+    std::size_t given = 0, taken = 0;
+    bool good = tube.below.size() <= 2;
+    for (const int below : tube.below) {
+      good = good && tubes.tubes[below].above.size() == 3 - tube.below.size();
+      given += tubes.tubes[below].end.size();
+    }
+    for (const int beside : tubes.tubes[tube.below[0]].above)
+      taken += tubes.tubes[beside].origins.size();
+    if (good && given == taken) continue;
+    const int stitch = tube.steps.front().first_stitch;
+    Problem problem;
+    problem.code = "tubes-not-in-pairs";
+    problem.message = "At stitch " + std::to_string(stitch) +
+                      " tubes part or meet otherwise than two and two.";
+    problem.remedy =
+        "Change the knitting times there, so that there is a row of stitches between one "
+        "branch "
+        "and the next.";
+    problem.elements.stitches = {stitch};
+    problem.elements.nodes = {trace.stitches[stitch].node};
+    throw NotKnittable({problem});
+  }
+}
+
 /// For each slot of the whole: which part, and the slot there.
 struct PartSlot {
   int part = 0, slot = 0;
@@ -69,6 +97,7 @@ void number_slots(const StitchTrace& trace, const SteppedTubes& tubes, Connectio
 }  // namespace
 
 std::vector<Connection> find_connections(const StitchTrace& trace, const SteppedTubes& tubes) {
+  require_pairs(trace, tubes);
   std::vector<Connection> connections;
   for (const SteppedTubes::Turn& turn : tubes.turns) {
     const TubeSteps& tube = tubes.tubes[turn.tube];

@@ -21,8 +21,9 @@ struct Connection {
 };
 
 /// All connections of an object, in the order of the first steps above them.
-/// Throws: NotKnittable "loops-apart" if the loops of a part are not in one piece; names stitches
-/// and nodes.
+/// Throws: NotKnittable "tubes-not-in-pairs" if tubes part or meet otherwise than one into two or
+/// two into one; "loops-apart" if the loops of a part are not in one piece. Both name stitches and
+/// nodes.
 std::vector<Connection> find_connections(const StitchTrace& trace, const SteppedTubes& tubes);
 
 /// Layouts that a connection's loops may have: one layout of the whole that is, at the same time,

@@ -87,7 +87,7 @@ struct Schedule {
 /// Throws: NotKnittable "too-wide" naming the widest rows' nodes and the largest scale that fits;
 /// "too-narrow" for a row of fewer than two loops; "stack-too-high" naming the nodes where tucks
 /// and decreases pile up more loops than a needle holds; "tubes-cross", "tubes-not-in-pairs",
-/// "loops-apart" (bed_order.h, tube_steps.h); Cancelled.
+/// "loops-apart" (bed_order.h, connections.h, tube_steps.h); Cancelled.
 /// Ensures: check_schedule(trace, result, profile) finds nothing. `optimal` is false if not all
 /// orders of the tubes could be tried, or if tubes would walk off the bed or into each other and
 /// some moves had to be worse than their best.

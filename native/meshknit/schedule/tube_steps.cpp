@@ -49,7 +49,6 @@ class TubeReplay {
     }
     for (size_t t = 0; t < rings_.size(); ++t)
       if (result_.tubes[t].above.empty()) result_.tubes[t].end = std::move(rings_[t]);
-    check_connections();
     return std::move(result_);
   }
 
@@ -134,28 +133,6 @@ class TubeReplay {
     for (int stack = 0; stack < size(); ++stack)
       for (const LoopName& loop : ring_[stack])
         if (loop.stitch >= 0) place_[loop.stitch][loop.which] = {tube_, stack};
-  }
-
-  // Two tubes become one, or one becomes two, and every loop goes on.
-  void check_connections() const {
-    for (const TubeSteps& tube : result_.tubes) {
-      if (tube.below.empty()) continue;
-      size_t given = 0, taken = 0;
-      bool good = tube.below.size() <= 2;
-      for (const int below : tube.below) {
-        good = good && result_.tubes[below].above.size() == 3 - tube.below.size();
-        given += result_.tubes[below].end.size();
-      }
-      for (const int beside : result_.tubes[tube.below[0]].above)
-        taken += result_.tubes[beside].origins.size();
-      if (good && given == taken) continue;
-      const int stitch = tube.steps.front().first_stitch;
-      refuse(trace_, "tubes-not-in-pairs", stitch,
-             "At stitch " + std::to_string(stitch) +
-                 " tubes part or meet otherwise than two and two.",
-             "Change the knitting times there, so that there is a row of stitches between one "
-             "branch and the next.");
-    }
   }
 
   void check_width(int stitch) const {

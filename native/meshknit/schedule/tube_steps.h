@@ -47,11 +47,8 @@ struct SteppedTubes {
 /// before the turn), no stack worked twice. Before its first step a tube that starts holds one
 /// nameless loop (of waste) for each start stitch; any other holds the loops that its first round
 /// is knit through.
-/// Ensures: a tube that is no start has one tube below it that has two above (a split), or two
-/// below it that have one above (a merge).
 /// Throws: NotKnittable "loops-apart" for stitches whose parents do not hang side by side on their
-/// tube; "tubes-not-in-pairs" if three tubes part or meet at once; "too-narrow" if a tube has fewer
-/// than two stacks at some time. They name stitches and
+/// tube; "too-narrow" if a tube has fewer than two stacks at some time. Both name stitches and
 /// nodes.
 SteppedTubes replay_tubes(const StitchTrace& trace);
 
