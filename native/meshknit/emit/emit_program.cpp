@@ -4,6 +4,7 @@
 #include <string>
 
 #include "meshknit/core/error.h"
+#include "meshknit/emit/carriers.h"
 #include "meshknit/emit/program_builder.h"
 #include "meshknit/emit/step_transfers.h"
 #include "meshknit/emit/waste_yarn.h"
@@ -12,7 +13,7 @@
 namespace meshknit {
 namespace {
 
-constexpr size_t kAnchoredSteps = 2;  // a yarn end holds by itself after two rounds
+constexpr int kAnchoredSteps = 2;  // a yarn end holds by itself after two rounds
 
 Program header(const MachineProfile& profile) {
   Program program;
@@ -47,44 +48,65 @@ Program header(const MachineProfile& profile) {
 class Emitter {
  public:
   Emitter(const StitchTrace& trace, const Schedule& schedule, const MachineProfile& profile)
-      : trace_(trace), schedule_(schedule), profile_(profile), program_(header(profile)) {}
+      : trace_(trace),
+        schedule_(schedule),
+        profile_(profile),
+        yarns_(assign_carriers(trace, profile)),
+        program_(header(profile)) {}
 
   Program run(RunContext* run) {
     const std::vector<ScheduleStep>& steps = schedule_.steps;
-    if (steps.empty()) return program_.finish();
-    knit_waste_before(program_, profile_, steps.front().before_hooks);
-    const Hook& first = steps.front().stitch_hooks.front();
-    anchors_ = bring_in(program_, profile_, profile_.yarn_carrier, first,
-                        travel(first.bed, trace_.stitches.front().direction));
+    auto end = schedule_.ends.begin();
     for (size_t i = 0; i < steps.size(); ++i) {
       report(run, static_cast<double>(i) / static_cast<double>(steps.size()));
+      if (steps[i].before.front().front().stitch < 0) {
+        clear_room(steps[i]);
+        knit_waste_before(program_, profile_, steps[i].before_hooks, room_of(steps[i]));
+      }
       move_loops(steps[i]);
       for (int s = steps[i].first_stitch; s <= steps[i].last_stitch; ++s)
         make_stitch(steps[i], s);
-      if (i + 1 == kAnchoredSteps) drop_anchors();
+      age_anchors(steps[i]);
+      if (end == schedule_.ends.end() || end->step != static_cast<int>(i)) continue;
+      clear_room(steps[i]);
+      knit_waste_after(program_, profile_, end->hooks, room_of(steps[i]));
+      ++end;
     }
-    drop_anchors();
-    take_out(program_, profile_, profile_.yarn_carrier);
-    knit_waste_after(program_, profile_, schedule_.end_hooks);
     report(run, 1.0);
     return program_.finish();
   }
 
  private:
+  struct Anchors {
+    int yarn = 0, tube = 0;
+    int steps = 0;  // of the tube since
+    std::vector<Needle> needles;
+  };
+
+  static PlaceRange room_of(const ScheduleStep& step) {
+    return {step.lowest_place, step.highest_place};
+  }
+
   void move_loops(const ScheduleStep& step) {
     const TransferPlan plan = plan_moves(step);
     // Anchors lie on parked needles, which transfers need.
-    if (!plan.transfers.empty()) drop_anchors();
+    if (!plan.transfers.empty()) drop_anchors([](const Anchors&) { return true; });
     for (const Transfer& transfer : plan.transfers)
       program_.transfer(half_gauge_needle(transfer.from), half_gauge_needle(transfer.to));
   }
 
   TransferPlan plan_moves(const ScheduleStep& step) const {
     try {
-      return plan_step_transfers(step, trace_.stitches[step.first_stitch].direction, profile_);
+      return plan_step_transfers(step, direction_of(step), profile_);
     } catch (const NotKnittable&) {
       refuse_transfers(trace_, step);  // the planner knows loops by number, a modeler by node
     }
+  }
+
+  // A tube that is only moved decreases nothing, so either way will do.
+  Direction direction_of(const ScheduleStep& step) const {
+    return step.last_stitch < step.first_stitch ? Direction::anticlockwise
+                                                : trace_.stitches[step.first_stitch].direction;
   }
 
   void make_stitch(const ScheduleStep& step, int s) {
@@ -92,30 +114,59 @@ class Emitter {
     const Hook& hook = step.stitch_hooks[s - step.first_stitch];
     const Source source{Source::Kind::stitch, s};
     const Side side = travel(hook.bed, stitch.direction);
-    if (stitch.kind == StitchKind::tuck) {
-      program_.tuck(side, needle_of(hook), profile_.yarn_carrier, source);
-      return;
+    const YarnUse& yarn = yarns_[stitch.yarn];
+    if (s == yarn.first_stitch) {
+      clear_room(step);
+      anchors_.push_back(
+          {stitch.yarn, step.tube, 0,
+           bring_in(program_, profile_, yarn.carrier, hook, side, room_of(step))});
     }
-    program_.knit(side, needle_of(hook), profile_.yarn_carrier, source);
+    if (stitch.kind == StitchKind::tuck) {
+      program_.tuck(side, needle_of(hook), yarn.carrier, source);
+    } else {
+      program_.knit(side, needle_of(hook), yarn.carrier, source);
+    }
     if (stitch.kind == StitchKind::increase) {
       // Against the course, so that the loop is twisted and leaves no hole. Round the end of
       // the tube that is the other side of the other bed.
       const Hook& second = step.second_loop_hooks[s - step.first_stitch];
       program_.tuck(reverse(travel(second.bed, stitch.direction)), needle_of(second),
-                    profile_.yarn_carrier, source);
+                    yarn.carrier, source);
     }
+    if (s != yarn.last_stitch) return;
+    drop_anchors([&](const Anchors& anchors) { return anchors.yarn == stitch.yarn; });
+    take_out(program_, profile_, yarn.carrier);
   }
 
-  void drop_anchors() {
-    for (const Needle& needle : anchors_) program_.drop(needle);
-    anchors_.clear();
+  // Anchors of a neighbour may lie in the places between two tubes.
+  void clear_room(const ScheduleStep& step) {
+    drop_anchors([&](const Anchors& anchors) {
+      return std::any_of(anchors.needles.begin(), anchors.needles.end(), [&](const Needle& n) {
+        return n.index >= 2 * step.lowest_place && n.index <= 2 * step.highest_place + 1;
+      });
+    });
+  }
+
+  void age_anchors(const ScheduleStep& step) {
+    if (step.last_stitch < step.first_stitch) return;
+    for (Anchors& anchors : anchors_) anchors.steps += anchors.tube == step.tube ? 1 : 0;
+    drop_anchors([](const Anchors& anchors) { return anchors.steps >= kAnchoredSteps; });
+  }
+
+  template <class Which>
+  void drop_anchors(Which which) {
+    for (const Anchors& anchors : anchors_)
+      if (which(anchors))
+        for (const Needle& needle : anchors.needles) program_.drop(needle);
+    anchors_.erase(std::remove_if(anchors_.begin(), anchors_.end(), which), anchors_.end());
   }
 
   const StitchTrace& trace_;
   const Schedule& schedule_;
   const MachineProfile& profile_;
+  std::vector<YarnUse> yarns_;
   ProgramBuilder program_;
-  std::vector<Needle> anchors_;
+  std::vector<Anchors> anchors_;  // that lie on the beds
 };
 
 }  // namespace

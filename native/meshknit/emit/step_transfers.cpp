@@ -45,9 +45,11 @@ TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
   }
   if (!moves) return {};
   problem.slack = usual_slack(problem.loops);
-  problem.max_racking = profile.max_racking;
-  problem.lowest = 1;
-  problem.highest = profile.needles / 2 - 1;
+  // Tubes that hang beside bear rackings that stretch a bridge of one needle to the limit
+  // (schedule/layout_search.h).
+  problem.max_racking = std::min(profile.max_racking, profile.max_stretch - 1);
+  problem.lowest = step.lowest_place;
+  problem.highest = step.highest_place;
   if (direction == Direction::anticlockwise) return plan_transfers(problem);
   TransferPlan plan = plan_transfers(mirrored(problem));
   for (Transfer& transfer : plan.transfers)

@@ -47,10 +47,10 @@ void drop_all(ProgramBuilder& program, const std::vector<Needle>& needles) {
 }  // namespace
 
 void knit_waste_before(ProgramBuilder& program, const MachineProfile& profile,
-                       const std::vector<Hook>& hooks) {
+                       const std::vector<Hook>& hooks, const PlaceRange& room) {
   const Round round = round_from_carriers(hooks, profile.first_stitch_leftward);
   const std::vector<Needle> anchors =
-      bring_in(program, profile, profile.waste_carrier, round.hooks[0], round.side(0));
+      bring_in(program, profile, profile.waste_carrier, round.hooks[0], round.side(0), room);
   for (const size_t begin : {0, 1})
     for (size_t i = begin; i < round.hooks.size(); i += 2)
       program.tuck(round.side(i), needle_of(round.hooks[i]), profile.waste_carrier, kWaste);
@@ -60,10 +60,10 @@ void knit_waste_before(ProgramBuilder& program, const MachineProfile& profile,
 }
 
 void knit_waste_after(ProgramBuilder& program, const MachineProfile& profile,
-                      const std::vector<Hook>& hooks) {
+                      const std::vector<Hook>& hooks, const PlaceRange& room) {
   const Round round = round_from_carriers(hooks, profile.first_stitch_leftward);
   const std::vector<Needle> anchors =
-      bring_in(program, profile, profile.waste_carrier, round.hooks[0], round.side(0));
+      bring_in(program, profile, profile.waste_carrier, round.hooks[0], round.side(0), room);
   knit_rounds(program, profile, round);
   take_out(program, profile, profile.waste_carrier);
   drop_all(program, anchors);

@@ -1,14 +1,22 @@
 #include "meshknit/emit/yarn_ends.h"
 
+#include <algorithm>
+
 namespace meshknit {
 
 std::vector<Needle> bring_in(ProgramBuilder& program, const MachineProfile& profile,
-                             const std::string& carrier, const Hook& first, Side side) {
+                             const std::string& carrier, const Hook& first, Side side,
+                             const PlaceRange& room) {
   const Source anchor{Source::Kind::anchor, -1};
   const Side first_way = profile.first_stitch_leftward ? Side::left : Side::right;
+  const int behind =
+      side == Side::left ? 1 : -1;  // where the yarn of the first stitch comes from
+  const int from = first.n + behind, to = first.n + 3 * behind;
+  const int nearest =
+      std::clamp(0, room.lowest - std::min(from, to), room.highest - std::max(from, to));
   std::vector<Needle> anchors;
-  const auto tuck = [&](Side way, int places_before) {
-    const int n = first.n + (side == Side::left ? places_before : -places_before);
+  const auto tuck = [&](Side way, int places_behind) {
+    const int n = first.n + behind * places_behind + nearest;
     const Needle needle = half_gauge_needle({Bed::front, n, true});
     program.tuck(way, needle, carrier, anchor);
     anchors.push_back(needle);

@@ -45,4 +45,10 @@ PlaceRange places_of(const BedLayout& layout) {
           std::max(layout.place + layout.shape.front, back_left + back) - 1};
 }
 
+int places_between(const BedLayout& left, const BedLayout& right) {
+  const int front = right.place - (left.place + left.shape.front);
+  const int back_end = left.place + left.shape.left + left.slots - left.shape.front;
+  return std::min(front, right.place + right.shape.left - back_end);
+}
+
 }  // namespace meshknit

@@ -55,4 +55,12 @@ struct PlaceRange {
 };
 PlaceRange places_of(const BedLayout& layout);
 
+/// Places that stay free between two layouts side by side, on the bed with fewer of them; 0 if the
+/// tubes touch, negative if they overlap:
+///
+///     back     a a b b b        back     a a . b b b
+///     front    a a a b b        front    a a a . b b
+///              0: touching               1
+int places_between(const BedLayout& left, const BedLayout& right);
+
 }  // namespace meshknit

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "meshknit/schedule/bed_row.h"
 #include "meshknit/schedule/layout_cost.h"
 
 namespace meshknit {
@@ -14,26 +15,163 @@ int middle(const PlaceRange& range) { return range.lowest + range.highest; }
 
 int width(const PlaceRange& range) { return range.highest - range.lowest + 1; }
 
-PlaceRange unite(const PlaceRange& a, const PlaceRange& b) {
-  return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest)};
-}
+class BedWalk {
+ public:
+  BedWalk(const SteppedTubes& tubes, const std::vector<Connection>& connections,
+          const BedOrder& order, const std::vector<TubeLayouts>& layouts,
+          const PlaceRange& walls, int start_middle)
+      : tubes_(tubes),
+        connections_(connections),
+        order_(order),
+        layouts_(layouts),
+        start_middle_(start_middle),
+        bed_(tubes.tubes.size(), walls),
+        changes_(tubes.tubes.size(), 0) {}
 
-// Follows the tube from its first layout on; every layout stays within `limits`. Returns all
-// places used.
-PlaceRange follow(std::vector<BedLayout>& layouts, const std::vector<SlotMap>& maps,
-                  const PlaceRange& limits, int wanted_middle) {
-  ShiftMeter meter;
-  PlaceRange used = places_of(layouts[0]);
-  for (size_t i = 0; i < maps.size(); ++i) {
-    BedLayout& next = layouts[i + 1];
-    next.place = layouts[i].place;
-    const PlaceRange unmoved = places_of(next);
-    const OffsetChoice choice{limits.lowest - unmoved.lowest, limits.highest - unmoved.highest,
-                              (wanted_middle - middle(unmoved)) / 2};
-    next.place += meter.measure(maps[i], layouts[i], next, choice).offset;
-    used = unite(used, places_of(next));
+  PlacedTubes run() {
+    for (; turn_ < tubes_.turns.size(); ++turn_) {
+      const SteppedTubes::Turn& at = tubes_.turns[turn_];
+      if (at.step == 0) begin(at.tube);
+      bed_.set_order(order_.held[turn_]);
+      knit(at.tube, at.step);
+      const TubeSteps& tube = tubes_.tubes[at.tube];
+      const bool last = at.step + 1 == static_cast<int>(tube.steps.size());
+      if (last && tube.above.empty()) bed_.take_off(at.tube);
+    }
+    return {bed_.take_steps(), best_moves_ && !bed_.pushed()};
   }
-  return used;
+
+  const PlaceRange& used() const { return bed_.used(); }
+
+ private:
+  void begin(int tube) {
+    if (tubes_.tubes[tube].below.empty()) return start(tube);
+    for (size_t c = 0; c < connections_.size(); ++c) {
+      const Connection& connection = connections_[c];
+      const int left = order_.left_part[c];
+      if (connection.split && connection.parts[0] == tube) part(connection, left);
+      if (!connection.split && connection.whole == tube) meet(connection, left);
+    }
+  }
+
+  void start(int tube) {
+    bed_.set_order(order_.held[turn_]);
+    BedLayout layout = layouts_[tube].layouts.front();
+    const size_t row = bed_.row_of(tube);
+    OffsetChoice free = bed_.free_offsets(row, layout);
+    if (free.lowest > free.highest) free = bed_.make_room(row, layout);
+    int wanted = (start_middle_ - middle(places_of(layout))) / 2;
+    if (row > 0) {
+      wanted = free.lowest + places_between_later(row - 1);
+    } else if (bed_.order().size() > 1) {
+      wanted = free.highest - places_between_later(row);
+    }
+    layout.place += std::clamp(wanted, free.lowest, free.highest);
+    bed_.hang(tube, layout);
+  }
+
+  // Places that tubes will need which start between this row and the next while both hang.
+  int places_between_later(size_t row) const {
+    const int left = bed_.order()[row], right = bed_.order()[row + 1];
+    int most = 0;
+    for (size_t turn = turn_ + 1; turn < order_.held.size(); ++turn) {
+      const std::vector<int>& held = order_.held[turn];
+      const auto from = std::find(held.begin(), held.end(), left);
+      const auto to = std::find(from, held.end(), right);
+      if (to == held.end()) break;
+      int places = 0;
+      for (auto tube = from + 1; tube < to; ++tube)
+        places += width(places_of(layouts_[*tube].layouts.front())) + kFreeBetween;
+      most = std::max(most, places);
+    }
+    return most;
+  }
+
+  void part(const Connection& connection, int left) {
+    const ConnectionLayout layout = connection_layout(connection, left);
+    const int place = bed_.layout(connection.whole).place;
+    bed_.take_off(connection.whole);
+    for (const int p : {0, 1}) {
+      BedLayout own = layout.parts[p];
+      own.place += place;
+      bed_.hang(connection.parts[p], own);
+    }
+  }
+
+  // The order is still that of the step before, with both parts in it.
+  void meet(const Connection& connection, int left) {
+    const ConnectionLayout layout = connection_layout(connection, left);
+    const int x = connection.parts[left], y = connection.parts[1 - left];
+    const int gap = bed_.layout(y).place - bed_.layout(x).place - layout.parts[1 - left].place;
+    if (bed_.layout(x).slots < bed_.layout(y).slots)
+      bed_.shift(x, gap);
+    else
+      bed_.shift(y, -gap);
+    BedLayout whole = layout.whole;
+    whole.place = bed_.layout(x).place;
+    bed_.take_off(x);
+    bed_.take_off(y);
+    bed_.hang(connection.whole, whole);
+  }
+
+  void knit(int tube, int step) {
+    const TubeLayouts& own = layouts_[tube];
+    const int change = changes_[tube];
+    const bool changes =
+        change < static_cast<int>(own.maps.size()) && own.from_step[change] == step;
+    const BedLayout before = bed_.layout(tube);
+    BedLayout next = changes ? own.layouts[change + 1] : before;
+    next.place = before.place;
+    const size_t row = bed_.row_of(tube);
+    OffsetChoice choice = bed_.free_offsets(row, next);
+    if (choice.lowest > choice.highest) choice = bed_.make_room(row, next);
+    choice.liked = liked_offset(tube, row, places_of(next), choice);
+    if (changes) {
+      const SlotMap& map = own.maps[change];
+      const ShiftCost cost = meter_.measure(map, before, next, choice);
+      best_moves_ = best_moves_ && !(meter_.measure(map, before, next) < cost);
+      next.place += cost.offset;
+      ++changes_[tube];
+    } else {
+      next.place += std::clamp(0, choice.lowest, choice.highest);
+    }
+    bed_.knit(tube, step, next);
+  }
+
+  // Towards the tube that it will meet, if they are neighbours already.
+  int liked_offset(int tube, size_t row, const PlaceRange& unmoved,
+                   const OffsetChoice& choice) const {
+    const std::vector<int>& held = bed_.order();
+    for (size_t c = 0; c < connections_.size(); ++c) {
+      const std::array<int, 2>& parts = connections_[c].parts;
+      if (connections_[c].split || (parts[0] != tube && parts[1] != tube)) continue;
+      const bool is_left = parts[order_.left_part[c]] == tube;
+      const size_t beside = is_left ? row + 1 : row - 1;
+      if (beside < held.size() && held[beside] == parts[parts[0] == tube ? 1 : 0])
+        return is_left ? choice.highest : choice.lowest;
+    }
+    return (bed_.first_middle(tube) - middle(unmoved)) / 2;
+  }
+
+  const SteppedTubes& tubes_;
+  const std::vector<Connection>& connections_;
+  const BedOrder& order_;
+  const std::vector<TubeLayouts>& layouts_;
+  int start_middle_;
+  BedRow bed_;
+  std::vector<int> changes_;  // [tube] of its layout so far
+  size_t turn_ = 0;
+  ShiftMeter meter_;
+  bool best_moves_ = true;
+};
+
+void move_all(PlacedTubes& placed, int offset, const PlaceRange& bed) {
+  for (PlacedStep& step : placed.steps) {
+    step.before.place += offset;
+    step.after.place += offset;
+    step.room = {std::max(bed.lowest, step.room.lowest + offset),
+                 std::min(bed.highest, step.room.highest + offset)};
+  }
 }
 
 }  // namespace
@@ -43,20 +181,20 @@ PlaceRange usable_places(const MachineProfile& profile) {
   return {1 + kFreePlaces, profile.needles / 2 - 1 - kFreePlaces};
 }
 
-bool place_layouts(std::vector<BedLayout>& layouts, const std::vector<SlotMap>& maps,
-                   const MachineProfile& profile) {
-  const PlaceRange usable = usable_places(profile);
-  const PlaceRange anywhere{-100 * profile.needles, 100 * profile.needles};
-  layouts[0].place = 0;
-  const PlaceRange used = follow(layouts, maps, anywhere, middle(places_of(layouts[0])));
-  if (width(used) <= width(usable)) {
-    const int offset = (middle(usable) - middle(used)) / 2;
-    for (BedLayout& layout : layouts) layout.place += offset;
-    return true;
+PlacedTubes place_tubes(const SteppedTubes& tubes, const std::vector<Connection>& connections,
+                        const BedOrder& order, const std::vector<TubeLayouts>& layouts,
+                        const MachineProfile& profile) {
+  const PlaceRange usable = usable_places(profile), bed{1, profile.needles / 2 - 1};
+  BedWalk free_walk(tubes, connections, order, layouts, kAnywhere, 0);
+  PlacedTubes placed = free_walk.run();
+  if (width(free_walk.used()) <= width(usable)) {
+    move_all(placed, (middle(usable) - middle(free_walk.used())) / 2, bed);
+    return placed;
   }
-  layouts[0].place = (middle(usable) - middle(places_of(layouts[0]))) / 2;
-  follow(layouts, maps, usable, middle(usable));
-  return false;
+  placed = BedWalk(tubes, connections, order, layouts, usable, middle(usable)).run();
+  placed.optimal = false;
+  move_all(placed, 0, bed);
+  return placed;
 }
 
 }  // namespace meshknit

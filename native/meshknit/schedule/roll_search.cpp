@@ -104,23 +104,30 @@ BedSplits::BedSplits(int slots) : slots_(slots) {
 }
 
 RollTable search_rolls(const std::vector<BedSplits>& splits, const std::vector<SlotMap>& maps,
-                       RunContext* run) {
+                       const SplitEnds& ends, RunContext* run) {
+  const auto begin_with = [](const BedSplits& cycle, int wanted) {
+    std::vector<int> rolls(cycle.size(), wanted < 0 ? 0 : kUnreached);
+    if (wanted >= 0) rolls[wanted] = 0;
+    return rolls;
+  };
   RollTable table;
-  table.from_start.emplace_back(splits.front().size(), 0);
+  table.from_start.push_back(begin_with(splits.front(), ends.first));
   for (size_t i = 0; i < maps.size(); ++i) {
     if (run && run->cancelled()) throw Cancelled();
     table.from_start.push_back(
         SplitDistance(maps[i], splits[i], splits[i + 1]).forward(table.from_start[i]));
   }
   table.to_end.resize(splits.size());
-  table.to_end.back().assign(splits.back().size(), 0);
+  table.to_end.back() = begin_with(splits.back(), ends.last);
   for (size_t i = maps.size(); i-- > 0;) {
     if (run && run->cancelled()) throw Cancelled();
     table.to_end[i] =
         SplitDistance(maps[i], splits[i], splits[i + 1]).backward(table.to_end[i + 1]);
   }
-  const std::vector<int>& last = table.from_start.back();
-  table.fewest = *std::min_element(last.begin(), last.end());
+  const std::vector<int>& to_end = table.to_end.front();
+  table.fewest = kUnreached;
+  for (int split = 0; split < splits.front().size(); ++split)
+    table.fewest = std::min(table.fewest, table.from_start.front()[split] + to_end[split]);
   return table;
 }
 

@@ -19,6 +19,11 @@ class BedSplits {
   int fronts() const { return static_cast<int>(front_.size()); }
   int size() const { return fronts() * slots_; }
   int number(int front_index, int first) const { return front_index * slots_ + first; }
+  /// The split of a layout of balanced beds.
+  int number_of(const BedLayout& layout) const {
+    const auto front = std::find(front_.begin(), front_.end(), layout.shape.front);
+    return number(static_cast<int>(front - front_.begin()), layout.first);
+  }
   /// The split as a layout, its back bed flush with the front bed on the left.
   BedLayout layout(int number) const {
     return {slots_, number % slots_, {front_[number / slots_], 0}, 0};
@@ -59,10 +64,15 @@ struct RollTable {
   }
 };
 
+/// Splits that the ends of the way must have; -1 for any.
+struct SplitEnds {
+  int first = -1, last = -1;
+};
+
 /// `maps[i]` leads from cycle i to cycle i+1. Works in time proportional to the stacks of all
 /// cycles and their shaping.
 /// Throws: Cancelled.
 RollTable search_rolls(const std::vector<BedSplits>& splits, const std::vector<SlotMap>& maps,
-                       RunContext* run);
+                       const SplitEnds& ends, RunContext* run);
 
 }  // namespace meshknit

@@ -28,18 +28,36 @@ struct LoopName {
 /// second loop.
 using LoopStack = std::vector<LoopName>;
 
-/// One construction step: a run of stitches in one direction that works no stack twice, and the
-/// transfers before it. Before the step the tube holds `before` (stacks in anticlockwise order,
-/// each on its hook `before_hooks`). The transfers bring stack i to hook `moved_hooks[i]`;
-/// stacks with equal moved hook are decreased together, in the order in which the step's
-/// direction meets them. Then stitches first..last (inclusive) are made.
+/// One construction step: a run of stitches on one tube in one direction that works no stack
+/// twice, and the transfers before it. Before the step the tube holds `before` (stacks in
+/// anticlockwise order, each on its hook `before_hooks`). The transfers bring stack i to hook
+/// `moved_hooks[i]`; stacks with equal moved hook are decreased together, in the order in which
+/// the step's direction meets them. Then stitches first..last (inclusive) are made. All other
+/// tubes hang where they are. A step may be without stitches (last = first - 1, first the next one
+/// to be made): it moves a tube that is in the way of others, or that will meet another.
+///
+/// The first step of a tube that starts holds nameless loops, which must be cast on just before it;
+/// that of any other tube holds a part of the loops of a tube that splits, or all those of two
+/// tubes that merge, on the hooks where they hang.
 struct ScheduleStep {
+  int tube = 0;
   int first_stitch = 0, last_stitch = -1;
   std::vector<LoopStack> before;
   std::vector<Hook> before_hooks;
   std::vector<Hook> moved_hooks;
   std::vector<Hook> stitch_hooks;       ///< where each stitch of the step is made
   std::vector<Hook> second_loop_hooks;  ///< of increases; otherwise the stitch's own hook
+  /// Half-gauge places, inclusive, that no other tube uses: room for the transfers.
+  int lowest_place = 0, highest_place = 0;
+};
+
+/// A tube that no other takes over: what it leaves on the machine after its last step, to be bound
+/// off or knit on with waste before the next step.
+struct TubeEnd {
+  int tube = 0;
+  int step = 0;                  ///< its last step, an index into Schedule::steps
+  std::vector<LoopStack> loops;  ///< anticlockwise
+  std::vector<Hook> hooks;
 };
 
 /// Lexicographic cost of the paper's section 3.4, summed over steps.
@@ -49,25 +67,30 @@ struct LayoutCost {
 
 struct Schedule {
   std::vector<ScheduleStep> steps;
-  std::vector<LoopStack> end;  ///< what hangs on the machine after the last step, anticlockwise
-  std::vector<Hook> end_hooks;
+  std::vector<TubeEnd> ends;  ///< in the order of their steps
   LayoutCost cost;
   bool optimal = true;
-  int segments = 1, connections = 0;
+  int segments = 0, connections = 0;
 };
 
-/// Lays the traced stitches of one tube on the beds (paper, section 3.4): per step the layout
-/// among the 4N (N odd) or 5N (N even) that minimises alignment, then roll, then shift, over
-/// the whole tube; then a horizontal offset so that all places lie on the machine's needles. A
-/// stack counts as one loop. Layouts are compared at the offset that moves fewest loops; but
-/// moves by more than two places, which no single racking makes, are avoided before shifts.
+/// Lays the traced stitches on the beds (paper, section 3.4):
+///  - the tubes side by side in an order in which none has to cross another (bed_order.h);
+///  - per step the layout among the 4N (N odd) or 5N (N even) that minimises alignment, then roll,
+///    then shift, over all tubes; where tubes part or meet the layout fits all three of them
+///    (connections.h);
+///  - horizontal offsets so that all places lie on the machine's needles, and tubes that hang at
+///    the same time have a place between them (needle_offsets.h).
+/// A stack counts as one loop. Layouts are compared at the offset that moves fewest loops; but
+/// moves by more than two places, which no single racking makes, are avoided before shifts. Tubes
+/// that hang beside others keep to layouts that bear their rackings (layout_search.h).
 /// Requires: check_trace finds nothing for the trace.
-/// Throws: NotKnittable "too-wide" naming the widest row's nodes and the largest scale that
-/// fits; "too-narrow" for a row of fewer than two loops; "stack-too-high" naming the nodes
-/// where tucks and decreases pile up more loops than a needle holds; "needs-one-tube" for more
-/// than one yarn, start, split or merge; Cancelled.
-/// Ensures: check_schedule(trace, result, profile) finds nothing. `optimal` is false if the
-/// tube would walk off the bed and some moves had to be worse than their best to keep it there.
+/// Throws: NotKnittable "too-wide" naming the widest rows' nodes and the largest scale that fits;
+/// "too-narrow" for a row of fewer than two loops; "stack-too-high" naming the nodes where tucks
+/// and decreases pile up more loops than a needle holds; "tubes-cross", "tubes-not-in-pairs",
+/// "loops-apart" (bed_order.h, connections.h, tube_steps.h); Cancelled.
+/// Ensures: check_schedule(trace, result, profile) finds nothing. `optimal` is false if not all
+/// orders of the tubes could be tried, or if tubes would walk off the bed or into each other and
+/// some moves had to be worse than their best.
 Schedule schedule_stitches(const StitchTrace& trace, const MachineProfile& profile,
                            RunContext* run = nullptr);
 

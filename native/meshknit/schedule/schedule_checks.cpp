@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "meshknit/schedule/needle_offsets.h"
 #include "meshknit/schedule/tube_steps.h"
 
 namespace meshknit {
@@ -18,6 +19,13 @@ struct HookOrder {
 };
 
 using Tube = std::map<Hook, LoopStack, HookOrder>;
+
+// What hangs on a hook, and the tube that made it.
+struct HangingStack {
+  int tube = -1;
+  LoopStack loops;
+};
+using Beds = std::map<Hook, HangingStack, HookOrder>;
 
 bool same(const LoopStack& a, const LoopStack& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -38,23 +46,31 @@ class Checker {
 
   Problems run() {
     int stitch = 0;
-    for (const ScheduleStep& step : schedule_.steps) {
-      if (step.first_stitch != stitch || step.last_stitch < step.first_stitch)
+    size_t end = 0;
+    for (size_t i = 0; i < schedule_.steps.size(); ++i) {
+      const ScheduleStep& step = schedule_.steps[i];
+      if (step.first_stitch != stitch || step.last_stitch < step.first_stitch - 1)
         add("step-order", step.first_stitch, "does not follow the stitch before it");
       stitch = step.last_stitch + 1;
       if (!sizes_agree(step)) {
         add("step-form", step.first_stitch, "begins a step whose lists do not fit together");
         return std::move(problems_);
       }
-      check_start(step);
+      take_up(step);
       check_cycle(step.before_hooks, step.first_stitch);
       if (!decide_direction(step)) continue;
       move(step);
       for (int s = step.first_stitch; s <= step.last_stitch; ++s) make(step, s);
+      check_room(step);
+      for (auto& [hook, loops] : tube_) beds_[hook] = {step.tube, std::move(loops)};
+      for (; end < schedule_.ends.size() && schedule_.ends[end].step == static_cast<int>(i);
+           ++end)
+        take_off(schedule_.ends[end]);
     }
     if (stitch != static_cast<int>(trace_.stitches.size()))
       add("step-order", stitch, "is in no step");
-    check_end();
+    if (!beds_.empty() || end < schedule_.ends.size())
+      add("step-start", stitch - 1, "leaves other loops than the schedule says");
     return std::move(problems_);
   }
 
@@ -74,24 +90,72 @@ class Checker {
     const size_t stitches = static_cast<size_t>(step.last_stitch - step.first_stitch + 1);
     return step.first_stitch >= 0 &&
            step.last_stitch < static_cast<int>(trace_.stitches.size()) &&
-           step.before.size() == step.before_hooks.size() &&
+           !step.before.empty() && step.before.size() == step.before_hooks.size() &&
            step.before.size() == step.moved_hooks.size() &&
            step.stitch_hooks.size() == stitches && step.second_loop_hooks.size() == stitches;
   }
 
-  void check_start(const ScheduleStep& step) {
-    if (&step == &schedule_.steps.front()) return;
-    Tube before;
-    for (size_t i = 0; i < step.before.size(); ++i)
-      before[step.before_hooks[i]] = step.before[i];
-    const bool equal = before.size() == tube_.size() &&
-                       std::equal(before.begin(), before.end(), tube_.begin(),
-                                  [](const auto& a, const auto& b) {
-                                    return a.first == b.first && same(a.second, b.second);
-                                  });
-    if (!equal)
+  // The step takes its loops off the beds. A tube takes all that it has, or begins with loops of
+  // waste or of other tubes.
+  void take_up(const ScheduleStep& step) {
+    bool good = true;
+    const bool cast_on = step.before.front().front().stitch < 0;
+    for (size_t i = 0; i < step.before.size(); ++i) {
+      const auto found = beds_.find(step.before_hooks[i]);
+      good = good && cast_on == (found == beds_.end());
+      if (found == beds_.end()) continue;
+      good = good && same(found->second.loops, step.before[i]);
+      beds_.erase(found);
+    }
+    for (const auto& hanging : beds_) good = good && hanging.second.tube != step.tube;
+    if (!good)
       add("step-start", step.first_stitch,
           "begins a step on other loops or places than the step before left");
+  }
+
+  // A place stays free beside tubes that are knit, and the room of a step is its own but for what
+  // touches the tube on the other bed, where tubes part or meet.
+  void check_room(const ScheduleStep& step) {
+    Beds own;
+    for (const std::vector<Hook>* hooks : {&step.before_hooks, &step.moved_hooks})
+      for (const Hook& hook : *hooks) {
+        own[hook] = {};
+        if (hook.n < step.lowest_place || hook.n > step.highest_place)
+          return add("no-room", step.first_stitch,
+                     "needs " + text(hook) + ", which is not in the room of its step");
+      }
+    for (const Bed bed : {Bed::front, Bed::back}) {
+      for (auto other = beds_.lower_bound(Hook{bed, step.lowest_place});
+           other != beds_.end() && other->first.bed == bed &&
+           other->first.n <= step.highest_place;
+           ++other)
+        if (own.count(Hook{opposite(bed), other->first.n}) == 0) too_close(step, other->first);
+      if (step.last_stitch < step.first_stitch) continue;
+      for (const auto& hanging : tube_)
+        for (int n = hanging.first.n - kFreeBetween; n <= hanging.first.n + kFreeBetween; ++n)
+          if (hanging.first.bed == bed && beds_.count(Hook{bed, n}) > 0)
+            return too_close(step, Hook{bed, n});
+    }
+  }
+
+  void too_close(const ScheduleStep& step, const Hook& other) {
+    add("no-room", step.first_stitch,
+        "begins a step that comes too close to the tube on " + text(other));
+  }
+
+  void take_off(const TubeEnd& end) {
+    bool equal = end.loops.size() == end.hooks.size();
+    for (size_t i = 0; i < end.hooks.size() && equal; ++i) {
+      const auto found = beds_.find(end.hooks[i]);
+      equal = found != beds_.end() && found->second.tube == end.tube &&
+              same(found->second.loops, end.loops[i]);
+      if (equal) beds_.erase(found);
+    }
+    const int last = schedule_.steps[end.step].last_stitch;
+    if (equal)
+      check_cycle(end.hooks, last);
+    else
+      add("step-start", last, "leaves other loops than the schedule says");
   }
 
   // Hooks of a whole cycle must be one of the layouts: front from left to right, then back from
@@ -116,12 +180,14 @@ class Checker {
   }
 
   bool decide_direction(const ScheduleStep& step) {
+    if (step.last_stitch < step.first_stitch) return true;
     direction_ = trace_.stitches[step.first_stitch].direction;
-    for (int s = step.first_stitch; s <= step.last_stitch; ++s)
-      if (trace_.stitches[s].direction != direction_) {
-        add("step-form", s, "runs against the direction of its step");
-        return false;
-      }
+    for (int s = step.first_stitch; s <= step.last_stitch; ++s) {
+      const Stitch& stitch = trace_.stitches[s];
+      if (stitch.direction == direction_ && stitch.tube == step.tube) continue;
+      add("step-form", s, "runs against the direction of its step, or is on another tube");
+      return false;
+    }
     return true;
   }
 
@@ -176,26 +242,12 @@ class Checker {
     tube_[second] = {{s, 1}};
   }
 
-  void check_end() {
-    if (schedule_.steps.empty()) return;
-    bool equal = schedule_.end.size() == tube_.size() &&
-                 schedule_.end.size() == schedule_.end_hooks.size();
-    for (size_t i = 0; i < schedule_.end.size() && equal; ++i) {
-      const auto found = tube_.find(schedule_.end_hooks[i]);
-      equal = found != tube_.end() && same(found->second, schedule_.end[i]);
-    }
-    const int last = schedule_.steps.back().last_stitch;
-    if (equal)
-      check_cycle(schedule_.end_hooks, last);
-    else
-      add("step-start", last, "leaves other loops than the schedule says");
-  }
-
   const StitchTrace& trace_;
   const Schedule& schedule_;
   int highest_;
   Direction direction_ = Direction::anticlockwise;
-  Tube tube_;
+  Tube tube_;  // the loops of the step
+  Beds beds_;  // all others
   Problems problems_;
 };
 

@@ -23,70 +23,120 @@ enum class Work { none, knit, joined, tuck };  // joined: the second stack of a 
   throw NotKnittable({problem});
 }
 
-[[noreturn]] void refuse_tubes(const StitchTrace& trace, int stitch, const std::string& what) {
-  refuse(
-      trace, "needs-one-tube", stitch, what,
-      "Shape the object as one tube from one opening to another, without branches or handles.");
+[[noreturn]] void refuse_apart(const StitchTrace& trace, int stitch) {
+  refuse(trace, "loops-apart", stitch,
+         "The loops that stitch " + std::to_string(stitch) +
+             " is knit through do not hang side by side on its tube.",
+         "Smooth the object there, or change its knitting times so that tubes part and meet "
+         "further from each other.");
 }
 
 class TubeReplay {
  public:
   explicit TubeReplay(const StitchTrace& trace)
-      : trace_(trace), place_(trace.stitches.size(), {-1, -1}) {}
+      : trace_(trace), place_(trace.stitches.size()), rings_(trace.tubes) {}
 
-  TubeSteps run() {
-    begin_ring();
-    TubeSteps result;
-    while (cursor_ < static_cast<int>(trace_.stitches.size()))
-      result.steps.push_back(next_step());
-    result.end = std::move(ring_);
-    return result;
+  SteppedTubes run() {
+    result_.tubes.resize(rings_.size());
+    while (cursor_ < static_cast<int>(trace_.stitches.size())) {
+      tube_ = trace_.stitches[cursor_].tube;
+      ring_ = std::move(rings_[tube_]);
+      TubeSteps& tube = result_.tubes[tube_];
+      if (tube.steps.empty()) begin_ring(tube);
+      result_.turns.push_back({tube_, static_cast<int>(tube.steps.size())});
+      tube.steps.push_back(next_step());
+      rings_[tube_] = std::move(ring_);
+    }
+    for (size_t t = 0; t < rings_.size(); ++t)
+      if (result_.tubes[t].above.empty()) result_.tubes[t].end = std::move(rings_[t]);
+    return std::move(result_);
   }
 
  private:
+  // A loop's stack in the ring of a tube; -1 where it hangs no more.
+  struct LoopPlace {
+    int tube = -1, stack = -1;
+  };
+
   // The stacks that a stitch works, in its own direction; empty if some loop does not hang in
   // the ring.
   std::vector<int> stacks_of(int stitch) const {
     const Stitch& s = trace_.stitches[stitch];
     if (s.kind == StitchKind::start) {
-      const bool forward = s.direction == Direction::anticlockwise;
-      return {forward ? stitch : size() - 1 - stitch};
+      const int turn = stitch - begun_with_;
+      if (turn >= size()) return {};
+      return {s.direction == Direction::anticlockwise ? turn : size() - 1 - turn};
     }
     const std::vector<LoopName> loops = s.kind == StitchKind::tuck
                                             ? std::vector<LoopName>{tucked_loop(trace_, stitch)}
                                             : parent_loops(trace_, stitch);
     std::vector<int> stacks;
     for (const LoopName& loop : loops) {
-      const int stack = loop.stitch < 0 ? -1 : place_[loop.stitch][loop.which];
-      if (stack < 0) return {};
-      if (stacks.empty() || stacks.back() != stack) stacks.push_back(stack);
+      const LoopPlace at = loop.stitch < 0 ? LoopPlace{} : place_[loop.stitch][loop.which];
+      if (at.tube != tube_ || at.stack < 0) return {};
+      if (stacks.empty() || stacks.back() != at.stack) stacks.push_back(at.stack);
     }
     return stacks;
   }
 
   int size() const { return static_cast<int>(ring_.size()); }
 
-  void begin_ring() {
-    const std::vector<Stitch>& stitches = trace_.stitches;
-    size_t starts = 0;
-    while (starts < stitches.size() && stitches[starts].kind == StitchKind::start) ++starts;
-    for (size_t s = 0; s < stitches.size(); ++s) {
-      const bool start = stitches[s].kind == StitchKind::start;
-      if (stitches[s].yarn != stitches.front().yarn)
-        refuse_tubes(trace_, static_cast<int>(s),
-                     "The object needs a second yarn, from stitch " + std::to_string(s) +
-                         " on; only one tube of one yarn can be scheduled.");
-      if (start && (s >= starts || stitches[s].direction != stitches.front().direction))
-        refuse_tubes(trace_, static_cast<int>(s),
-                     "Another tube begins at stitch " + std::to_string(s) +
-                         "; only one tube can be scheduled.");
+  void begin_ring(TubeSteps& tube) {
+    begun_with_ = cursor_;
+    if (trace_.stitches[cursor_].kind == StitchKind::start)
+      cast_on();
+    else
+      take_over(tube);
+    check_width(cursor_);
+  }
+
+  void cast_on() {
+    int end = cursor_;
+    const auto goes_on = [&](int s) {
+      const Stitch &first = trace_.stitches[cursor_], &stitch = trace_.stitches[s];
+      return stitch.kind == StitchKind::start && stitch.tube == tube_ &&
+             stitch.direction == first.direction;
+    };
+    while (end < static_cast<int>(trace_.stitches.size()) && goes_on(end)) ++end;
+    ring_.assign(end - cursor_, LoopStack{LoopName{}});
+  }
+
+  // The first round of a tube goes over all loops that it takes from others.
+  void take_over(TubeSteps& tube) {
+    for (int s = cursor_; s < static_cast<int>(trace_.stitches.size()); ++s) {
+      if (trace_.stitches[s].tube != tube_) break;
+      const std::vector<LoopName> loops = parent_loops(trace_, s);
+      if (loops.empty() || trace_.stitches[loops[0].stitch].tube == tube_) break;
+      for (const LoopName& loop : loops) {
+        const LoopPlace at = place_[loop.stitch][loop.which];
+        if (at.stack < 0) refuse_apart(trace_, s);
+        const EndStack last = tube.origins.empty() ? EndStack{} : tube.origins.back();
+        if (at.tube != last.tube || at.stack != last.stack)
+          tube.origins.push_back({at.tube, at.stack});
+      }
     }
-    ring_.assign(starts, LoopStack{LoopName{}});
-    check_width(0);
+    if (trace_.stitches[cursor_].direction == Direction::clockwise)
+      std::reverse(tube.origins.begin(), tube.origins.end());
+    for (const EndStack& origin : tube.origins) {
+      TubeSteps& below = result_.tubes[origin.tube];
+      if (std::find(below.above.begin(), below.above.end(), tube_) == below.above.end()) {
+        if (below.above.empty()) below.end = rings_[origin.tube];
+        below.above.push_back(tube_);
+        tube.below.push_back(origin.tube);
+      }
+      ring_.push_back(below.end[origin.stack]);
+    }
+    remember_places();
+  }
+
+  void remember_places() {
+    for (int stack = 0; stack < size(); ++stack)
+      for (const LoopName& loop : ring_[stack])
+        if (loop.stitch >= 0) place_[loop.stitch][loop.which] = {tube_, stack};
   }
 
   void check_width(int stitch) const {
-    if (size() >= 2 || trace_.stitches.empty()) return;
+    if (size() >= 2) return;
     refuse(trace_, "too-narrow", stitch,
            "At stitch " + std::to_string(stitch) + " the tube has fewer than two loops.",
            "Make the object larger or its openings wider, so that every row has at least two "
@@ -100,10 +150,7 @@ class TubeReplay {
     bool free = !stacks.empty();
     for (const int stack : stacks) free = free && work_[stack] == Work::none;
     if (!free) {
-      if (first_of_step)
-        refuse_tubes(trace_, stitch,
-                     "Stitch " + std::to_string(stitch) +
-                         " would be knit through loops that do not hang on the machine.");
+      if (first_of_step) refuse_apart(trace_, stitch);
       return false;
     }
     check_stacks(stitch, stacks);
@@ -134,10 +181,7 @@ class TubeReplay {
                           return a.stitch == b.stitch && a.which == b.which;
                         });
     }
-    if (!good)
-      refuse_tubes(trace_, stitch,
-                   "The parents of stitch " + std::to_string(stitch) +
-                       " do not hang side by side on the tube.");
+    if (!good) refuse_apart(trace_, stitch);
   }
 
   TubeStep next_step() {
@@ -148,6 +192,7 @@ class TubeReplay {
     const int stitches = static_cast<int>(trace_.stitches.size());
     const Direction direction = trace_.stitches[cursor_].direction;
     while (cursor_ < stitches && trace_.stitches[cursor_].direction == direction &&
+           trace_.stitches[cursor_].tube == tube_ &&
            claim(cursor_, cursor_ == step.first_stitch))
       ++cursor_;
     step.last_stitch = cursor_ - 1;
@@ -206,25 +251,27 @@ class TubeReplay {
   void hang(std::vector<LoopStack> next, TubeStep& step) {
     for (const LoopStack& stack : ring_)
       for (const LoopName& loop : stack)
-        if (loop.stitch >= 0) place_[loop.stitch][loop.which] = -1;
+        if (loop.stitch >= 0) place_[loop.stitch][loop.which] = {};
     step.before = std::move(ring_);
     ring_ = std::move(next);
-    for (int stack = 0; stack < size(); ++stack)
-      for (const LoopName& loop : ring_[stack])
-        if (loop.stitch >= 0) place_[loop.stitch][loop.which] = stack;
+    remember_places();
   }
 
   const StitchTrace& trace_;
-  std::vector<std::array<int, 2>>
-      place_;  // of every loop: its stack in the ring, -1 if it does not hang there
+  SteppedTubes result_;
+  std::vector<std::array<LoopPlace, 2>> place_;  // of every loop
+  std::vector<std::vector<LoopStack>> rings_;    // of tubes that wait
+  // The tube that is being worked.
+  int tube_ = 0;
   std::vector<LoopStack> ring_;
   std::vector<Work> work_;
   std::vector<int> worker_;  // stitch that works a stack in the current step
+  int begun_with_ = 0;       // its first stitch
   int cursor_ = 0;
 };
 
 }  // namespace
 
-TubeSteps replay_tube(const StitchTrace& trace) { return TubeReplay(trace).run(); }
+SteppedTubes replay_tubes(const StitchTrace& trace) { return TubeReplay(trace).run(); }
 
 }  // namespace meshknit

@@ -18,21 +18,39 @@ struct TubeStep {
       second_slot;  ///< of an increase's second loop; otherwise the stitch's own slot
 };
 
+/// A stack of the ring with which a tube ended.
+struct EndStack {
+  int tube = -1, stack = -1;
+};
+
 /// A tube, step by step. The slots of a step are the stacks of the next one, under the same
 /// numbers.
 struct TubeSteps {
   std::vector<TubeStep> steps;
-  std::vector<LoopStack> end;  ///< what hangs on the machine after the last step
+  std::vector<LoopStack> end;     ///< what hangs on the machine after the last step
+  std::vector<EndStack> origins;  ///< of the first step's stacks; empty where the object starts
+  std::vector<int> below,
+      above;  ///< tubes whose loops it takes over, and that take over its own
 };
 
-/// Replays the trace, keeping the stacks of its one tube in anticlockwise order. A step is as
-/// long as possible: stitches in one direction (a tuck at a turn belongs to the direction
-/// before the turn), no stack worked twice. Before the first step the tube holds one nameless
-/// loop (of waste) for each start stitch.
-/// Throws: NotKnittable "needs-one-tube" for more than one yarn or start, or stitches whose
-/// parents do not hang side by side; "too-narrow" if the tube has fewer than two stacks at some
-/// time. Both name stitches and nodes.
-TubeSteps replay_tube(const StitchTrace& trace);
+/// All tubes of an object (the segments of the paper's section 3.4), under the trace's numbers.
+struct SteppedTubes {
+  struct Turn {
+    int tube = 0, step = 0;
+  };
+  std::vector<TubeSteps> tubes;
+  std::vector<Turn> turns;  ///< the steps of all tubes in the order of knitting
+};
+
+/// Replays the trace, keeping the stacks of every tube in anticlockwise order. A step is as long
+/// as possible: stitches on one tube in one direction (a tuck at a turn belongs to the direction
+/// before the turn), no stack worked twice. Before its first step a tube that starts holds one
+/// nameless loop (of waste) for each start stitch; any other holds the loops that its first round
+/// is knit through.
+/// Throws: NotKnittable "loops-apart" for stitches whose parents do not hang side by side on their
+/// tube; "too-narrow" if a tube has fewer than two stacks at some time. Both name stitches and
+/// nodes.
+SteppedTubes replay_tubes(const StitchTrace& trace);
 
 /// The loops that a stitch is knit through, in the order of its parents (empty for a tuck).
 std::vector<LoopName> parent_loops(const StitchTrace& trace, int stitch);

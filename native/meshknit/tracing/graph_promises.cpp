@@ -6,6 +6,7 @@
 #include "meshknit/knit_graph/closed_row_links.h"
 #include "meshknit/tracing/knit_twice.h"
 #include "meshknit/tracing/trace_promises.h"
+#include "meshknit/tracing/tubes.h"
 
 namespace meshknit {
 namespace {
@@ -40,6 +41,29 @@ Problems check_nodes_knit_twice(const KnitGraph& graph, const StitchTrace& trace
                                       "The trace counts " + std::to_string(trace.courses) +
                                           " courses; its graph has " + std::to_string(courses) +
                                           ".",
+                                      {}));
+  return problems;
+}
+
+Problems check_tubes(const KnitGraph& graph, const StitchTrace& trace) {
+  const RowWalk walk(graph);
+  const Tubes tubes = find_tubes(graph);
+  Problems problems;
+  int yarn_tube = 0;
+  for (int s = 0; s < static_cast<int>(trace.stitches.size()); ++s) {
+    const Stitch& stitch = trace.stitches[s];
+    // A tuck may lie on a loop of the tube below; it belongs to the stitch before it.
+    if (stitch.kind != StitchKind::tuck) yarn_tube = tubes.of_row[walk.place(stitch.node).row];
+    if (stitch.tube != yarn_tube)
+      problems.push_back(stitch_problem(
+          trace, "wrong-tube",
+          "Stitch " + std::to_string(s) + " does not belong to the tube of its row.", {s}));
+  }
+  if (trace.tubes != tubes.count)
+    problems.push_back(stitch_problem(trace, "wrong-tube",
+                                      "The trace counts " + std::to_string(trace.tubes) +
+                                          " tubes; its graph has " +
+                                          std::to_string(tubes.count) + ".",
                                       {}));
   return problems;
 }

@@ -33,6 +33,7 @@ enum class Direction { clockwise, anticlockwise };
 /// decreases and has two children does not occur (the two stitches of a node share the work).
 struct Stitch {
   int yarn = 0;
+  int tube = 0;  ///< the tube that it is knit on (tubes.h)
   StitchKind kind = StitchKind::knit;
   Direction direction = Direction::anticlockwise;
   int node = -1;  ///< knit graph node; for a tuck the node whose loop it lies on
@@ -45,6 +46,7 @@ struct Stitch {
 struct StitchTrace {
   std::vector<Stitch> stitches;
   int yarns = 0;
+  int tubes = 1;
   int courses = 0;  ///< knit rows: every graph row counts two
 };
 

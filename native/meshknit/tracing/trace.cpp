@@ -4,6 +4,7 @@
 
 #include "meshknit/core/error.h"
 #include "meshknit/knit_graph/knit_graph_checks.h"
+#include "meshknit/tracing/row_agenda.h"
 #include "meshknit/tracing/tracing_rules.h"
 
 namespace meshknit {
@@ -26,23 +27,44 @@ bool follow_yarn(TraceState& state) {
          end_short_row(state);
 }
 
+/// The closed row that the current yarn is about to begin; -1 if it goes on otherwise.
+int closed_row_ahead(const TraceState& state) {
+  const int row = row_to_move_to(state);
+  return row >= 0 && state.graph().rows[row].closed ? row : -1;
+}
+
+/// Works the current yarn until it has come to the end of a closed row, or cannot go on.
+void knit_to_row_end(TraceState& state, RowAgenda& agenda) {
+  while (true) {
+    if (const int row = closed_row_ahead(state); row >= 0) {
+      agenda.wait(state.yarn_end(), row);
+      return;
+    }
+    if (!follow_yarn(state)) {
+      end_yarn(state);
+      return;
+    }
+  }
+}
+
 }  // namespace
 
-StitchTrace trace_knit_graph(const KnitGraph& graph, RunContext* run) {
+StitchTrace trace_knit_graph(const KnitGraph& graph, int most_yarns, RunContext* run) {
+  if (most_yarns < 1) throw InvalidInput("tracing needs at least one yarn");
   require_traceable(graph);
   TraceState state(graph);
-  const std::size_t expected = 2 * graph.nodes.size();
-  const std::size_t report_every = 1000;
+  RowAgenda agenda(graph, most_yarns);
+  const auto expected = static_cast<double>(2 * graph.nodes.size());
   report(run, 0.0);
-  std::size_t next_report = report_every;
-  while (start_yarn(state)) {
-    while (follow_yarn(state)) {
-      const std::size_t made = state.trace().stitches.size();
-      if (made < next_report) continue;
-      report(run, static_cast<double>(made) / static_cast<double>(expected));
-      next_report = made + report_every;
+  for (RowAgenda::Turn turn = agenda.next(state); turn.row >= 0; turn = agenda.next(state)) {
+    if (turn.yarn.yarn < 0) {
+      start_yarn(state, turn.row);
+    } else {
+      state.take_up(turn.yarn);
+      move_to_next_row(state);
     }
-    end_yarn(state);
+    knit_to_row_end(state, agenda);
+    report(run, std::min(1.0, static_cast<double>(state.trace().stitches.size()) / expected));
   }
   for (int node = 0; node < static_cast<int>(graph.nodes.size()); ++node)
     if (state.times_knit(node) != 2)

@@ -17,6 +17,7 @@ Problems check_trace(const KnitGraph& graph, const StitchTrace& trace) {
   add(check_nodes_knit_twice(graph, trace));
   if (!problems.empty()) return problems;
 
+  add(check_tubes(graph, trace));
   add(check_loops_follow_columns(graph, trace));
   if (problems.empty()) add(check_yarn_path(graph, trace));
   add(check_yarn_count(graph, trace));

@@ -23,6 +23,8 @@ Problems check_nodes_knit_twice(const KnitGraph& graph, const StitchTrace& trace
 /// Loops go from a node's first stitch to its second and from there along the columns, in loop
 /// order. Code "loops-off-columns".
 Problems check_loops_follow_columns(const KnitGraph& graph, const StitchTrace& trace);
+/// Every stitch is made on the tube of its row. Code "wrong-tube".
+Problems check_tubes(const KnitGraph& graph, const StitchTrace& trace);
 /// Replays who hangs beside whom: every stitch is made through the loop next to its yarn's last
 /// one, closed rows anticlockwise; at a turn the yarn tucks on the loop ahead and comes back;
 /// exactly one turn at each end of each short row. Codes "yarn-jumps", "closed-row-reversed",

@@ -11,10 +11,14 @@ TraceState::TraceState(const KnitGraph& graph)
       loops_(graph.nodes.size()),
       times_knit_(graph.nodes.size(), 0),
       waiting_(graph.rows.size(), 0),
-      begun_(graph.rows.size(), false) {
+      begun_(graph.rows.size(), false),
+      tubes_(find_tubes(graph)) {
+  for (const KnitRow& row : graph.rows)
+    unfinished_.push_back(static_cast<int>(row.nodes.size()));
   for (const auto& column : graph.columns) ++waiting_[walk_.place(column[1]).row];
   trace_.stitches.reserve(2 * graph.nodes.size() + 2 * graph.rows.size());
   trace_.courses = 2 * static_cast<int>(graph.rows.size());
+  trace_.tubes = tubes_.count;
 }
 
 int TraceState::ahead(int node, Direction direction) const {
@@ -38,7 +42,13 @@ int TraceState::node_due_ahead() const {
   return begun_[walk_.place(due).row] ? due : -1;
 }
 
-void TraceState::begin_yarn() { ++trace_.yarns; }
+void TraceState::begin_yarn() { yarn_ = trace_.yarns++; }
+
+void TraceState::take_up(const YarnEnd& yarn) {
+  yarn_ = yarn.yarn;
+  node_ = yarn.node;
+  direction_ = yarn.direction;
+}
 
 int TraceState::loop_under(int below, int node) const {
   const std::vector<int>& above = walk_.above(below);
@@ -95,7 +105,8 @@ void TraceState::knit(int node, Direction direction) {
   const std::vector<int> through = loops_under(node);
   const std::size_t loops_above = first ? 1 : walk_.above(node).size();
   Stitch stitch;
-  stitch.yarn = trace_.yarns - 1;
+  stitch.yarn = yarn_;
+  stitch.tube = tubes_.of_row[row];
   stitch.direction = direction;
   stitch.node = node;
   stitch.children.assign(loops_above, -1);
@@ -126,14 +137,16 @@ void TraceState::knit(int node, Direction direction) {
   direction_ = direction;
   hang_new_loops(node, index, through);
   ++times_knit_[node];
-  if (!first)
-    for (const int above : walk_.above(node)) --waiting_[walk_.place(above).row];
+  if (first) return;
+  --unfinished_[row];
+  for (const int above : walk_.above(node)) --waiting_[walk_.place(above).row];
 }
 
 void TraceState::tuck() {
   LoopOwner& owner = owners_[loop_ahead()];
   Stitch stitch;
-  stitch.yarn = trace_.yarns - 1;
+  stitch.yarn = yarn_;
+  stitch.tube = trace_.stitches.back().tube;
   stitch.kind = StitchKind::tuck;
   stitch.direction = direction_;
   stitch.node = trace_.stitches[owner.stitch].node;

@@ -6,8 +6,16 @@
 #include "meshknit/knit_graph/rows.h"
 #include "meshknit/tracing/loop_ring.h"
 #include "meshknit/tracing/stitch.h"
+#include "meshknit/tracing/tubes.h"
 
 namespace meshknit {
+
+/// Where a yarn waits while another one is worked.
+struct YarnEnd {
+  int yarn = -1;
+  int node = -1;  ///< of its last stitch
+  Direction direction = Direction::anticlockwise;
+};
 
 /// What tracing knows while it goes along: how often every node is knit, which loops hang
 /// beside each other, and where the current yarn is. The rules (tracing_rules.h) look at it and
@@ -26,6 +34,8 @@ class TraceState {
   /// All nodes below this row are knit twice.
   bool is_ready(int row) const { return waiting_[row] == 0; }
   bool is_begun(int row) const { return begun_[row]; }
+  /// All of its own nodes are knit twice.
+  bool is_complete(int row) const { return unfinished_[row] == 0; }
 
   int node() const { return node_; }  ///< of the current yarn's last stitch
   Direction direction() const { return direction_; }
@@ -38,6 +48,9 @@ class TraceState {
 
   void begin_yarn();
   void end_yarn() { node_ = -1; }
+  /// The current yarn, to be taken up again later.
+  YarnEnd yarn_end() const { return {yarn_, node_, direction_}; }
+  void take_up(const YarnEnd& yarn);
 
   /// Knits a node with the current yarn, for the first or second time: through the loops below
   /// it (or its own first one).
@@ -75,7 +88,10 @@ class TraceState {
   std::vector<NodeLoops> loops_;   ///< [node]
   std::vector<int> times_knit_;    ///< [node]
   std::vector<int> waiting_;       ///< [row]: columns from nodes that are not knit twice
+  std::vector<int> unfinished_;    ///< [row]: nodes that are not knit twice
   std::vector<bool> begun_;        ///< [row]
+  Tubes tubes_;
+  int yarn_ = -1;
   int node_ = -1;
   Direction direction_ = Direction::anticlockwise;
 };

@@ -16,38 +16,37 @@ void tuck_and_knit_in_reverse(TraceState& state, int node) {
   state.knit(node, reverse(state.direction()));
 }
 
+/// The node above the current one whose row may be begun now; -1 if there is none.
+int node_to_move_to(const TraceState& state) {
+  const int node = state.node();
+  if (state.times_knit(node) < 2) return -1;
+  const std::vector<int>& above = state.walk().above(node);
+  if (above.empty()) return -1;
+  const int ready =
+      state.direction() == Direction::anticlockwise ? above.back() : above.front();
+  const int row = state.walk().place(ready).row, below = state.walk().place(node).row;
+  if (!state.is_ready(row)) return -1;
+  const std::vector<KnitRow>& rows = state.graph().rows;
+  const bool half_done = rows[row].closed && rows[below].closed && !state.is_complete(below);
+  return half_done ? -1 : ready;
+}
+
 }  // namespace
 
-bool start_yarn(TraceState& state) {
-  for (int row = 0; row < static_cast<int>(state.graph().rows.size()); ++row) {
-    const std::vector<int>& nodes = state.graph().rows[row].nodes;
-    int first = -1;
-    if (!state.is_begun(row)) {
-      if (state.is_ready(row)) first = nodes.front();
-    } else {
-      for (const int node : nodes) {
-        const int before = state.walk().previous(node);
-        if (state.times_knit(node) == 1 && before >= 0 && state.times_knit(before) == 2)
-          first = node;
-        if (first >= 0) break;
-      }
-    }
-    if (first < 0) continue;
-    state.begin_yarn();
-    state.knit(first, Direction::anticlockwise);
-    return true;
-  }
-  return false;
+void start_yarn(TraceState& state, int row) {
+  state.begin_yarn();
+  state.knit(state.graph().rows[row].nodes.front(), Direction::anticlockwise);
+}
+
+int row_to_move_to(const TraceState& state) {
+  const int above = node_to_move_to(state);
+  return above < 0 ? -1 : state.walk().place(above).row;
 }
 
 bool move_to_next_row(TraceState& state) {
-  if (state.times_knit(state.node()) < 2) return false;
-  const std::vector<int>& above = state.walk().above(state.node());
-  if (above.empty()) return false;
+  const int ready = node_to_move_to(state);
+  if (ready < 0) return false;
   const Direction direction = state.direction();
-  const int ready = direction == Direction::anticlockwise ? above.back() : above.front();
-  if (!state.is_ready(state.walk().place(ready).row)) return false;
-
   const int neighbour = state.ahead(ready, direction);
   if (neighbour >= 0) {
     state.knit(neighbour, direction);

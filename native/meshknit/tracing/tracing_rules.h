@@ -8,15 +8,19 @@ namespace meshknit {
 /// numbers. A rule that applies makes its stitches and returns true; otherwise it changes
 /// nothing. They are to be tried in order.
 ///
-/// Two readings of ours. "The current stitch's neighbour" and "the parent's row-wise next
+/// Three readings of ours. At a split no branch is begun before the row below it is complete, so
+/// that one yarn finishes the row and goes on with the branch above its end, and no other yarn is
+/// brought in for the rest of the row. "The current stitch's neighbour" and "the parent's row-wise next
 /// node", on which a short row is tucked, are the loop that hangs ahead of the current stitch
 /// at that moment: where both exist they are the same, and the loop also exists where the
 /// parent itself ends a short row. And a stitch that makes two loops goes on above the one that
 /// lies ahead.
 
-/// Rule 1. Without a current yarn: begins one in the lowest row that is ready, at its first
-/// node, or that was left half done at a split, at its first node that is knit once.
-bool start_yarn(TraceState& state);
+/// Rule 1. Begins a yarn in a ready row that no yarn has begun, at its first node.
+void start_yarn(TraceState& state, int row);
+
+/// The row that rule 2 would go on to; -1 if the rule does not apply.
+int row_to_move_to(const TraceState& state);
 
 /// Rule 2. After a node's second stitch, with a ready row above: knits the neighbour of the
 /// node above; if there is none, tucks and knits the node above in reverse.

@@ -39,15 +39,8 @@ int lowest_needle(const Program& program) {
 
 }  // namespace
 
-Beds::Beds(const Program& program, const MachineProfile& profile)
+BedRange::BedRange(const Program& program, const MachineProfile& profile)
     : lowest_(keeps_position(program) ? 1 : lowest_needle(program)),
-      width_(std::max(profile.needles, 0)),
-      stacks_(static_cast<std::size_t>(width_) * 4) {}
-
-std::size_t Beds::index(const Needle& needle) const {
-  const int row = (needle.bed == Bed::front ? 0 : 2) + (needle.slider ? 1 : 0);
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
-         static_cast<std::size_t>(needle.index - lowest_);
-}
+      width_(std::max(profile.needles, 0)) {}
 
 }  // namespace meshknit

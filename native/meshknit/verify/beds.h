@@ -8,18 +8,11 @@
 
 namespace meshknit {
 
-/// What hangs on one needle or slider.
-struct NeedleStack {
-  std::vector<int> loops;  ///< earliest arrival first
-  int column = -1;  ///< column of the tube that it belongs to; -1: anchors only, or empty
-};
-
-/// Both beds with hooks and sliders. The needles are those of the machine after the Position
-/// header is applied: with "Keep" 1 to N; otherwise the pattern is moved, so any N in a row
-/// from the lowest used.
-class Beds {
+/// The needles of the machine after the Position header is applied: with "Keep" 1 to N; otherwise
+/// the pattern is moved, so any N in a row from the lowest used.
+class BedRange {
  public:
-  Beds(const Program& program, const MachineProfile& profile);
+  BedRange(const Program& program, const MachineProfile& profile);
 
   bool has(const Needle& needle) const {
     return needle.index >= lowest_ && needle.index < lowest_ + width_;
@@ -27,16 +20,32 @@ class Beds {
   int lowest() const { return lowest_; }
   int highest() const { return lowest_ + width_ - 1; }
 
+  /// Hooks and sliders of both beds.
+  std::size_t places() const { return static_cast<std::size_t>(width_) * 4; }
   /// Requires: has(needle).
-  NeedleStack& at(const Needle& needle) { return stacks_[index(needle)]; }
-  const NeedleStack& at(const Needle& needle) const { return stacks_[index(needle)]; }
+  std::size_t place(const Needle& needle) const {
+    const int row = (needle.bed == Bed::front ? 0 : 2) + (needle.slider ? 1 : 0);
+    return static_cast<std::size_t>(row * width_ + needle.index - lowest_);
+  }
 
  private:
-  std::size_t index(const Needle& needle) const;
-
   int lowest_ = 1;
   int width_ = 0;
-  std::vector<NeedleStack> stacks_;
+};
+
+/// What hangs on each hook and slider of both beds.
+template <class Held>
+class Beds : public BedRange {
+ public:
+  Beds(const Program& program, const MachineProfile& profile, const Held& empty)
+      : BedRange(program, profile), held_(places(), empty) {}
+
+  /// Requires: has(needle).
+  Held& at(const Needle& needle) { return held_[place(needle)]; }
+  const Held& at(const Needle& needle) const { return held_[place(needle)]; }
+
+ private:
+  std::vector<Held> held_;
 };
 
 }  // namespace meshknit

@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "meshknit/verify/expected_loops.h"
-
 namespace meshknit {
 namespace {
 
@@ -20,7 +18,7 @@ class Comparison {
         item_of_(fabric.loops.size()),
         loop_of_(trace.stitches.size(), {-1, -1}) {}
 
-  std::vector<int> run() {
+  std::vector<ExpectedLoop> run() {
     assign_items();
     for (int id = 0; id < static_cast<int>(fabric_.loops.size()); ++id) {
       if (!is_object(fabric_.loops[id])) continue;
@@ -28,11 +26,8 @@ class Comparison {
       if (item_of_[id].stitch < 0) continue;
       check_operation(id);
       check_parents(id);
-      check_step(id);
     }
-    std::vector<int> stitches;
-    for (const ExpectedLoop& item : item_of_) stitches.push_back(item.stitch);
-    return stitches;
+    return std::move(item_of_);
   }
 
  private:
@@ -165,26 +160,6 @@ class Comparison {
               named(through) + " instead of " + named(wanted));
   }
 
-  // An increase's second loop hangs beside its first, ahead of it; starts follow one another
-  // round the waste without leaving a loop out.
-  void check_step(int id) {
-    const Loop& loop = fabric_.loops[id];
-    const Stitch& stitch = stitch_of(id);
-    const bool clockwise = stitch.direction == Direction::clockwise;
-    const bool beside = clockwise ? loop.next_clockwise : loop.next_anticlockwise;
-    if (is_second(id) && !beside) {
-      return wrong(id, "increase-not-beside",
-                   "makes its second loop elsewhere than right ahead of its first");
-    }
-    if (stitch.kind != StitchKind::start || loop.previous < 0 || beside) return;
-    const int before = item_of_[loop.previous].stitch;
-    if (before < 0) return;
-    const Stitch& last = trace_.stitches[before];
-    if (last.kind == StitchKind::start && last.direction == stitch.direction) {
-      wrong(id, "start-leaves-gap", "does not begin beside the start before it");
-    }
-  }
-
   void wrong(int id, const std::string& code, const std::string& what) {
     const int stitch = item_of_[id].stitch;
     log_.error(code, fabric_.loops[id].line, "stitch " + std::to_string(stitch) + " " + what,
@@ -212,8 +187,8 @@ class Comparison {
 
 }  // namespace
 
-std::vector<int> compare_with_trace(const Fabric& fabric, const StitchTrace& trace,
-                                    ProblemLog& log) {
+std::vector<ExpectedLoop> compare_with_trace(const Fabric& fabric, const StitchTrace& trace,
+                                             ProblemLog& log) {
   return Comparison(fabric, trace, log).run();
 }
 

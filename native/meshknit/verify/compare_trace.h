@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "meshknit/tracing/stitch.h"
+#include "meshknit/verify/expected_loops.h"
 #include "meshknit/verify/fabric.h"
 #include "meshknit/verify/problem_log.h"
 
@@ -15,9 +16,9 @@ namespace meshknit {
 /// decide what is waste and name things; a comment that names another stitch than the one whose
 /// turn it is, or none, is an error too.
 ///
-/// Returns the traced stitch of every loop, -1 for those that have none.
+/// Returns the traced loop of every loop, without a stitch for those that have none.
 /// Requires: check_trace_form.
-std::vector<int> compare_with_trace(const Fabric& fabric, const StitchTrace& trace,
-                                    ProblemLog& log);
+std::vector<ExpectedLoop> compare_with_trace(const Fabric& fabric, const StitchTrace& trace,
+                                             ProblemLog& log);
 
 }  // namespace meshknit

@@ -29,9 +29,6 @@ struct Loop {
   Fate fate = Fate::held;
   int fate_line = 0;
   int made_distance = 0;  ///< quarter needles to the previous loop when this one was made
-
-  /// Where round the tube, seen from the previous loop of the yarn when this one was made.
-  bool next_anticlockwise = false, next_clockwise = false;
 };
 
 /// A carrier's yarn from its coming in to its going out.

@@ -49,7 +49,7 @@ int check_racking(const Instruction& i, const MachineProfile& profile, ProblemLo
   return static_cast<int>(std::lround(i.racking * kQuarters));
 }
 
-bool check_needle(const Needle& needle, int line, const Beds& beds,
+bool check_needle(const Needle& needle, int line, const BedRange& beds,
                   const MachineProfile& profile, ProblemLog& log) {
   if (needle.slider && !profile.has_sliders) {
     log.error("no-sliders", line, "the machine has no sliders: " + to_string(needle));

@@ -14,7 +14,7 @@ void check_headers(const Program& program, const MachineProfile& profile, Proble
 int check_racking(const Instruction& i, const MachineProfile& profile, ProblemLog& log);
 
 /// The needle exists. False if not: the operation cannot be replayed.
-bool check_needle(const Needle& needle, int line, const Beds& beds,
+bool check_needle(const Needle& needle, int line, const BedRange& beds,
                   const MachineProfile& profile, ProblemLog& log);
 
 /// From needle to needle of opposite beds that face each other at `racking` (quarter needles),

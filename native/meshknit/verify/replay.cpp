@@ -7,18 +7,19 @@
 #include "meshknit/verify/beds.h"
 #include "meshknit/verify/carrier_rules.h"
 #include "meshknit/verify/machine_rules.h"
-#include "meshknit/verify/tube_order.h"
 #include "meshknit/verify/yarn_slack.h"
 
 namespace meshknit {
 namespace {
+
+using Stack = std::vector<int>;  // loops, earliest arrival first
 
 class Replay {
  public:
   Replay(const Program& program, const MachineProfile& profile, ProblemLog& log)
       : profile_(profile),
         log_(log),
-        beds_(program, profile),
+        beds_(program, profile, {}),
         carriers_(profile, fabric_, log),
         slack_(fabric_, profile, log) {}
 
@@ -76,17 +77,15 @@ class Replay {
       log_.error("stitch-on-slider", i.line,
                  "no loop can be made on a slider: " + to_string(i.needle));
     }
-    const bool anchor = i.source.kind == Source::Kind::anchor;
-    if (!anchor) check_rest(i);
     const int position =
         kQuarters * i.needle.index + (i.needle.bed == Bed::back ? racking_ : 0);
     const int id = add_loop(i, carriers_.use(i, position));
     Loop& loop = fabric_.loops[id];
-    NeedleStack& stack = beds_.at(i.needle);
+    Stack& stack = beds_.at(i.needle);
     if (i.op == Op::tuck) {
-      loop.below = static_cast<int>(stack.loops.size());
+      loop.below = static_cast<int>(stack.size());
     } else if (i.op == Op::knit) {
-      if (stack.loops.empty() && is_object(loop)) {
+      if (stack.empty() && is_object(loop)) {
         log_.error("knit-on-empty", i.line,
                    "a stitch is knit on " + to_string(i.needle) + ", which holds no loop",
                    {named_stitch(loop)});
@@ -95,25 +94,9 @@ class Replay {
     } else {
       pull_through_moved(i, id);
     }
-    stack.loops.push_back(id);
-    if (stack.column < 0 && !anchor) stack.column = tube_.insert(i.needle);
-    note_step(loop, stack);
+    stack.push_back(id);
     check_height(i.needle, i.line);
     slack_.made(id, racking_);
-  }
-
-  // Stitches are made while the tube lies flat, with no loop parked or out of turn.
-  void check_rest(const Instruction& i) {
-    if (tube_.at_rest()) {
-      unrest_named_ = false;
-    } else if (!unrest_named_) {
-      unrest_named_ = true;
-      const int stitch = i.source.kind == Source::Kind::stitch ? i.source.stitch : -1;
-      log_.error("tube-order", i.line,
-                 "a stitch is made on " + to_string(i.needle) +
-                     " while the loops on the beds are not in the order of the tube",
-                 {stitch});
-    }
   }
 
   int add_loop(const Instruction& i, int yarn) {
@@ -136,14 +119,14 @@ class Replay {
     return id;
   }
 
-  void knit_through(NeedleStack& stack, int child) {
-    for (const int parent : stack.loops) {
+  void knit_through(Stack& stack, int child) {
+    for (const int parent : stack) {
       link(parent, child);
       fabric_.loops[parent].fate = Loop::Fate::knit_through;
       fabric_.loops[parent].fate_line = fabric_.loops[child].line;
       slack_.let_go(parent);
     }
-    stack.loops.clear();
+    stack.clear();
   }
 
   // Split: the loops that went over to the target stay alive there.
@@ -162,16 +145,6 @@ class Replay {
     if (fabric_.loops[parent].child < 0) fabric_.loops[parent].child = child;
   }
 
-  void note_step(Loop& loop, const NeedleStack& stack) {
-    if (loop.previous < 0 || stack.column < 0) return;
-    const Loop& before = fabric_.loops[loop.previous];
-    if (before.fate != Loop::Fate::held) return;
-    const int column = beds_.at(before.hangs_on).column;
-    if (column < 0 || column == stack.column) return;
-    loop.next_anticlockwise = tube_.next(column) == stack.column;
-    loop.next_clockwise = tube_.previous(column) == stack.column;
-  }
-
   void hand_over(const Instruction& i) {
     handed_over_.clear();
     const bool known = check_needle(i.needle, i.line, beds_, profile_, log_) &&
@@ -182,71 +155,45 @@ class Replay {
     }
     check_handover(i, racking_, log_);
     carriers_.before_transfer(i.line);
-    NeedleStack& from = beds_.at(i.needle);
-    NeedleStack& to = beds_.at(i.target);
-    if (from.loops.empty()) {
+    Stack& from = beds_.at(i.needle);
+    Stack& to = beds_.at(i.target);
+    if (from.empty()) {
       if (i.op == Op::xfer) {
         log_.error("transfer-from-empty", i.line,
                    to_string(i.needle) + " holds no loop to move");
       }
       return;
     }
-    if (i.target.slider && !to.loops.empty()) {
+    if (i.target.slider && !to.empty()) {
       log_.error("slider-stack", i.line,
                  to_string(i.target) + " holds a loop already; a slider has room for one");
     }
-    move_column(i, from, to);
-    handed_over_ = std::exchange(from.loops, {});
+    handed_over_ = std::exchange(from, {});
     for (const int loop : handed_over_) {
       fabric_.loops[loop].hangs_on = i.target;
-      to.loops.push_back(loop);
+      to.push_back(loop);
     }
     check_height(i.target, i.line);
     for (const int loop : handed_over_) slack_.moved(loop, racking_, i.line);
   }
 
-  void move_column(const Instruction& i, NeedleStack& from, NeedleStack& to) {
-    const int column = std::exchange(from.column, -1);
-    if (column < 0) return;
-    if (to.column >= 0) {
-      if (!tube_.neighbours(column, to.column)) {
-        log_.error("merge-of-strangers", i.line,
-                   "the loops on " + to_string(i.needle) + " and " + to_string(i.target) +
-                       " are not neighbours round the tube and cannot share a needle",
-                   {named_stitch(fabric_.loops[from.loops.front()])});
-      }
-      return tube_.remove(column);
-    }
-    to.column = column;
-    const int turns = tube_.turns(i.target.bed);
-    tube_.move(column, i.target);
-    const int now = tube_.turns(i.target.bed);
-    if (now > 2 && now > turns) {
-      log_.error(
-          "loop-passes-over", i.line,
-          "the loop brought to " + to_string(i.target) + " passed over others of its tube",
-          {named_stitch(fabric_.loops[from.loops.front()])});
-    }
-  }
-
   void drop(const Instruction& i) {
     if (!check_needle(i.needle, i.line, beds_, profile_, log_)) return;
-    NeedleStack& stack = beds_.at(i.needle);
-    if (stack.loops.empty()) {
+    Stack& stack = beds_.at(i.needle);
+    if (stack.empty()) {
       log_.warning("drop-from-empty", i.line, to_string(i.needle) + " holds no loop to drop");
       return;
     }
-    for (const int loop : stack.loops) {
+    for (const int loop : stack) {
       fabric_.loops[loop].fate = Loop::Fate::dropped;
       fabric_.loops[loop].fate_line = i.line;
       slack_.let_go(loop);
     }
-    stack.loops.clear();
-    if (stack.column >= 0) tube_.remove(std::exchange(stack.column, -1));
+    stack.clear();
   }
 
   void check_height(const Needle& needle, int line) {
-    const std::vector<int>& loops = beds_.at(needle).loops;
+    const std::vector<int>& loops = beds_.at(needle);
     const int height = static_cast<int>(loops.size());
     fabric_.max_stack = std::max(fabric_.max_stack, height);
     if (height < profile_.max_stack) return;
@@ -264,13 +211,11 @@ class Replay {
   const MachineProfile& profile_;
   ProblemLog& log_;
   Fabric fabric_;
-  Beds beds_;
+  Beds<Stack> beds_;
   CarrierRules carriers_;
   YarnSlack slack_;
-  TubeOrder tube_;
   std::vector<int> handed_over_;  // by the last transfer, for a split's new loop
   int racking_ = 0;               // quarter needles
-  bool unrest_named_ = false;
 };
 
 }  // namespace
@@ -282,7 +227,7 @@ Fabric replay_program(const Program& program, const MachineProfile& profile, Pro
   const std::size_t count = program.instructions.size();
   for (std::size_t k = 0; k < count; ++k) {
     if (k % kBetweenReports == 0) {
-      report(run, static_cast<double>(k) / static_cast<double>(count));
+      report(run, 0.5 * static_cast<double>(k) / static_cast<double>(count));
     }
     replay.run(program.instructions[k]);
   }

@@ -5,10 +5,12 @@
 namespace meshknit {
 
 int TubeOrder::insert(const Needle& needle) {
+  return insert_after(last_before(needle), needle);
+}
+
+int TubeOrder::insert_after(int before, const Needle& needle) {
   const int column = static_cast<int>(columns_.size());
   columns_.emplace_back();
-  const int key = 2 * needle.index + (needle.slider ? 1 : 0);
-  const int before = read_previous(needle.bed, key);
   if (before < 0) {
     columns_[column].next = columns_[column].previous = column;
   } else {
@@ -34,6 +36,12 @@ void TubeOrder::remove(int column) {
   columns_[before].next = after;
   columns_[after].previous = before;
   if (before != column) refresh_place(before);
+}
+
+Needle TubeOrder::needle(int column) const {
+  const Column& c = columns_[column];
+  const bool slider = c.key % 2 != 0;
+  return {c.bed, (c.key - (slider ? 1 : 0)) / 2, slider};
 }
 
 // The reading order: front bed left to right, then back bed right to left, and round again.
@@ -70,7 +78,7 @@ int TubeOrder::read_previous(Bed bed, int key) const {
 void TubeOrder::hang(int column, const Needle& needle) {
   Column& c = columns_[column];
   c.bed = needle.bed;
-  c.key = 2 * needle.index + (needle.slider ? 1 : 0);
+  c.key = key_of(needle);
   auto& reading = reading_[side(c.bed)];
   c.bed_next = c.bed_previous = column;
   if (!reading.empty()) {

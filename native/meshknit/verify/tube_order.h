@@ -28,12 +28,27 @@ class TubeOrder {
   /// A new column on a needle where no column is; it goes to the place in the list that its
   /// needle has in the reading order.
   int insert(const Needle& needle);
+  /// A new column anticlockwise beside another one in the list, whatever its needle; -1: the first.
+  int insert_after(int before, const Needle& needle);
   void move(int column, const Needle& to);
   void remove(int column);
 
   int next(int column) const { return columns_[column].next; }  ///< anticlockwise
   int previous(int column) const { return columns_[column].previous; }
   bool neighbours(int a, int b) const { return next(a) == b || previous(a) == b; }
+
+  Needle needle(int column) const;
+  int size() const { return static_cast<int>(reading_[0].size() + reading_[1].size()); }
+  /// Requires: is_on(bed).
+  int leftmost(Bed bed) const { return reading_[side(bed)].begin()->second; }
+  int rightmost(Bed bed) const { return reading_[side(bed)].rbegin()->second; }
+  bool is_on(Bed bed) const { return !reading_[side(bed)].empty(); }
+  /// The column that comes after or before a needle in the reading order, round again at its end.
+  /// Requires: size() > 0.
+  int first_after(const Needle& needle) const { return read_next(needle.bed, key_of(needle)); }
+  int last_before(const Needle& needle) const {
+    return read_previous(needle.bed, key_of(needle));
+  }
 
   bool at_rest() const { return misplaced_ == 0; }
 
@@ -50,6 +65,7 @@ class TubeOrder {
     bool misplaced = false, turn = false;
   };
 
+  static int key_of(const Needle& needle) { return 2 * needle.index + (needle.slider ? 1 : 0); }
   static int side(Bed bed) { return bed == Bed::front ? 0 : 1; }
   int read_next(Bed bed, int key) const;
   int read_previous(Bed bed, int key) const;

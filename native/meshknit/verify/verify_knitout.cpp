@@ -9,6 +9,7 @@
 #include "meshknit/verify/machine_rules.h"
 #include "meshknit/verify/problem_log.h"
 #include "meshknit/verify/replay.h"
+#include "meshknit/verify/tube_check.h"
 
 namespace meshknit {
 namespace {
@@ -35,8 +36,11 @@ VerifyReport verify_knitout(std::string_view text, const MachineProfile& profile
   check_headers(read.program, profile, log);
   const Fabric fabric = replay_program(read.program, profile, log, run);
   if (check_trace_form(trace, log)) {
-    const std::vector<int> stitch_of = compare_with_trace(fabric, trace, log);
-    check_loop_fates(fabric, trace, stitch_of, log);
+    const std::vector<ExpectedLoop> items = compare_with_trace(fabric, trace, log);
+    check_loop_fates(fabric, trace, items, log);
+    check_tubes(read.program, profile, fabric, trace, items, log, run);
+  } else {
+    check_tubes(read.program, profile, fabric, StitchTrace(), {}, log, run);
   }
   VerifyReport result;
   count_loops(fabric, result);

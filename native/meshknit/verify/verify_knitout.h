@@ -25,11 +25,17 @@ struct VerifyReport {
 /// item, with the trace. Looks at nothing but its three arguments. Never throws on any text
 /// (but Cancelled).
 ///
+/// Any number of tubes may hang at once, begin and end at any time, part and meet; the trace alone
+/// says which loops make a tube (verify/tube_check.h).
+///
 /// What it takes for granted beyond the primer:
-///  - one tube, one carrier a loop; any number of yarns, in the trace's order of first loops;
-///  - stitches are made while the tube lies flat (verify/tube_order.h), anchors not counted;
+///  - one carrier a loop; any number of yarns, in the trace's order of first loops;
+///  - stitches are made while their tube lies flat (verify/tube_order.h), anchors not counted;
+///    other tubes may be parked meanwhile;
+///  - tubes that lie opposite each other for a while go back to their sides (verify/tube_places.h);
 ///  - a tuck on the other bed than the loop before it may be made before or after the turn;
-///  - an end stitch's loop is knit through by waste, or dropped after its yarn went out;
+///  - an end stitch's loop is knit through by waste, or dropped after its yarn went out; waste
+///    above it is dropped after the waste's yarn went out;
 ///  - yarn to a loop that is gone counts from the needle where that loop last hung.
 VerifyReport verify_knitout(std::string_view text, const MachineProfile& profile,
                             const StitchTrace& trace, RunContext* run = nullptr);

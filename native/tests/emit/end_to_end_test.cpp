@@ -115,17 +115,6 @@ TEST(EndToEnd, DrawnShortRowsKnitWithoutError) {
     EXPECT_EQ(errors_of_program(trace_knit_graph(graph)), "");
 }
 
-TEST(EndToEnd, TrousersAreRefusedAsMoreThanOneTube) {
-  try {
-    schedule_stitches(trace_knit_graph(splitting_tube(8)), shima());
-    FAIL() << "two legs need two yarns";
-  } catch (const NotKnittable& refused) {
-    const Problem* problem = find_problem(refused.problems(), "needs-one-tube");
-    ASSERT_NE(problem, nullptr);
-    EXPECT_FALSE(problem->elements.nodes.empty());
-  }
-}
-
 TEST(EndToEnd, TheSameTraceGivesTheSameBytes) {
   const StitchTrace trace = knit_random_tube(7, 30, 8, 8);
   const auto text = [&] {

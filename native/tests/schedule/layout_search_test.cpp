@@ -88,7 +88,8 @@ TEST(LayoutSearch, FindsWhatExhaustiveSearchFinds) {
       maps.push_back(random_map(dice, n));
       n = maps.back().slots();
     }
-    ASSERT_EQ(cost_of_way(search_layouts(slots, maps), maps), exhaustive_search(slots, maps))
+    ASSERT_EQ(cost_of_way(search_layouts(slots, maps).layouts, maps),
+              exhaustive_search(slots, maps))
         << "seed " << seed;
   }
 }

@@ -29,7 +29,7 @@ TEST(RollSearch, SweepsFindWhatTryingEveryMoveFinds) {
       maps.push_back(random_map(dice, splits.back().slots()));
       splits.emplace_back(maps.back().slots());
     }
-    const RollTable table = search_rolls(splits, maps, nullptr);
+    const RollTable table = search_rolls(splits, maps, {}, nullptr);
     for (size_t i = 0; i < maps.size(); ++i)
       ASSERT_EQ(table.from_start[i + 1],
                 fewest_by_trying(maps[i], splits[i], splits[i + 1], table.from_start[i]))

@@ -108,7 +108,7 @@ TEST(Schedule, NeighboursNeverHangMoreThanTwoPlacesApart) {
 TEST(Schedule, TheTubeStaysInTheMiddleOfTheBed) {
   const Schedule schedule = schedule_stitches(knit_plain_tube(20, 4), half_metre_machine());
   int lowest = 1000, highest = 0;
-  for (const Hook& hook : schedule.end_hooks) {
+  for (const Hook& hook : schedule.ends[0].hooks) {
     lowest = std::min(lowest, hook.n);
     highest = std::max(highest, hook.n);
   }
@@ -145,7 +145,7 @@ TEST(Schedule, ALeaningTubeStaysOnTheBed) {
   const Schedule walking = schedule_stitches(trace, half_metre_machine());
   EXPECT_TRUE(walking.optimal);
   EXPECT_EQ(walking.cost.roll, 0);
-  EXPECT_GE(walking.end_hooks[0].n - walking.steps[0].before_hooks[0].n, 10);
+  EXPECT_GE(walking.ends[0].hooks[0].n - walking.steps[0].before_hooks[0].n, 10);
 
   MachineProfile small;
   small.needles =
@@ -171,18 +171,6 @@ TEST(Schedule, ShortRowsThatEndOnTopOfEachOtherAreRefused) {
     EXPECT_NE(problem->message.find("4 loops"), std::string::npos) << problem->message;
     // One loop at each end of the short rows.
     EXPECT_EQ(problem->elements.nodes.size(), 2u);
-  }
-}
-
-TEST(Schedule, TwoYarnsAreRefused) {
-  StitchTrace trace = knit_plain_tube(8, 4);
-  trace.stitches[20].yarn = 1;
-  try {
-    schedule_stitches(trace, half_metre_machine());
-    FAIL();
-  } catch (const NotKnittable& refused) {
-    ASSERT_NE(find_problem(refused.problems(), "needs-one-tube"), nullptr);
-    EXPECT_EQ(refused.problems().front().elements.stitches, std::vector<int>{20});
   }
 }
 

@@ -149,8 +149,9 @@ StitchTrace worked_trace() {
   return trace;
 }
 
-KnitoutLines::KnitoutLines() {
-  std::string text = kText;
+KnitoutLines::KnitoutLines() : KnitoutLines(std::string(kText)) {}
+
+KnitoutLines::KnitoutLines(std::string text) {
   for (std::size_t end = 0; (end = text.find('\n')) != std::string::npos;) {
     lines_.push_back(text.substr(0, end));
     text.erase(0, end + 1);
@@ -179,6 +180,15 @@ KnitoutLines& KnitoutLines::remove(const std::string& part) {
 KnitoutLines& KnitoutLines::replace(const std::string& part, const std::string& with) {
   std::string& line = lines_[find(part)];
   line.replace(line.find(part), part.size(), with);
+  return *this;
+}
+
+KnitoutLines& KnitoutLines::replace_all(const std::string& part, const std::string& with) {
+  while (std::any_of(lines_.begin(), lines_.end(), [&](const std::string& line) {
+    return line.find(part) != std::string::npos;
+  })) {
+    replace(part, with);
+  }
   return *this;
 }
 

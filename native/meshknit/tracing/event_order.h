@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "meshknit/knit_graph/knit_graph.h"
+#include "meshknit/tracing/tubes.h"
+
+namespace meshknit {
+
+/// What happens to the tubes on the bed.
+struct TubeEvent {
+  enum class Kind { start, split, merge, end } kind = Kind::start;
+  int tube = 0;  ///< that starts, that parts, that two others become, that ends
+};
+
+/// An order of events in which tubes can hang side by side without crossing: a level planar drawing
+/// of the Reeb graph (paper, section 2.2). Empty if the order of time is one, so that nothing need
+/// be done, or if none was found; all orders are tried for objects of a dozen tubes.
+/// Requires: check_knit_graph(graph) finds no error.
+std::vector<TubeEvent> find_event_order(const KnitGraph& graph, const Tubes& tubes);
+
+}  // namespace meshknit
