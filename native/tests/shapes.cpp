@@ -114,9 +114,8 @@ const std::vector<NamedShape>& more_shapes() {
 }  // namespace
 
 std::vector<std::string> shape_names() {
-  std::vector<std::string> names;
-  for (const std::string& name : example_shape_names())
-    if (name != "ring_torus" && example_shape(name).times.size() == 2) names.push_back(name);
+  // By name, not by trying: every test program asks for this list before its first test.
+  std::vector<std::string> names = {"straight_tube", "cone", "bent_tube", "sock"};
   for (const NamedShape& shape : more_shapes()) names.push_back(shape.name);
   return names;
 }

@@ -22,6 +22,7 @@ PeelState fine_state(const Surface& surface, const std::vector<double>& time, do
   part_from_rims(fine.mesh, fine.value);
   reorder_by_value(fine, run);
   for (const int face : fine.source_face) source_face.push_back(surface.source_face[face]);
+  report(run, 0.0);
   PeelState state;
   state.mesh = std::move(fine.mesh);
   state.time = std::move(fine.value);

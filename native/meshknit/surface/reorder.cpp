@@ -14,6 +14,7 @@ std::vector<int> reorder_by_value(RefinedMesh& refined, RunContext* run) {
                    [&](int a, int b) { return refined.value[a] < refined.value[b]; });
   for (std::size_t i = 0; i < order.size(); ++i) number[order[i]] = static_cast<int>(i);
 
+  report(run, 0.0);
   struct Face {
     std::array<int, 3> corners;
     int source;
@@ -41,6 +42,7 @@ std::vector<int> reorder_by_value(RefinedMesh& refined, RunContext* run) {
   }
   using V = TriangleMesh::VertexHandle;
   for (const Face& face : faces) {
+    if (sorted.source_face.size() % 16384 == 0) report(run, 0.0);
     sorted.mesh.add_face(V(face.corners[0]), V(face.corners[1]), V(face.corners[2]));
     sorted.source_face.push_back(face.source);
   }

@@ -34,7 +34,7 @@ class Sweep {
   }
 
   ReebGraph run(RunContext* run) {
-    std::vector<Spot> spots = find_spots();
+    std::vector<Spot> spots = find_spots(run);
     for (std::size_t k = 0; k < spots.size(); ++k) {
       if (k % 4096 == 0) report(run, 0.0);
       pass(spots[k]);
@@ -43,7 +43,7 @@ class Sweep {
   }
 
  private:
-  std::vector<Spot> find_spots() const {
+  std::vector<Spot> find_spots(RunContext* run) const {
     const auto ends = [&](EdgeHandle e) {
       const HalfedgeHandle h = mesh_.halfedge_handle(e, 0);
       return std::make_pair(mesh_.from_vertex_handle(h).idx(), mesh_.to_vertex_handle(h).idx());
@@ -53,6 +53,7 @@ class Sweep {
       const auto [a, b] = ends(e);
       if (time_[a] == time_[b]) sets.unite(a, b);
     }
+    report(run, 0.0);
     std::vector<Spot> spots;
     std::vector<int> spot_of(time_.size());
     for (std::size_t v = 0; v < time_.size(); ++v) {
@@ -70,6 +71,7 @@ class Sweep {
       const auto [a, b] = ends(e);
       if (time_[a] == time_[b]) --spots[spot_of[a]].characteristic;
     }
+    report(run, 0.0);
     for (const auto f : mesh_.faces()) {
       int c[3], k = 0;
       for (const auto v : mesh_.fv_range(f)) c[k++] = v.idx();
@@ -80,6 +82,7 @@ class Sweep {
         ++spots[spot_of[c[1]]].sign_changes;
     }
     fill_boundaries(spot_of, spots);
+    report(run, 0.0);
     std::stable_sort(spots.begin(), spots.end(),
                      [](const Spot& a, const Spot& b) { return a.time < b.time; });
     return spots;
