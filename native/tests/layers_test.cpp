@@ -23,7 +23,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"transfer", {"core", "machine"}},
     {"knitout", {"core", "machine"}},
     {"remesh", {"core", "surface", "knit_graph", "time_field"}},
-    {"schedule", {"core", "tracing", "machine"}},
+    {"schedule", {"core", "knit_graph", "tracing", "machine"}},
     {"verify", {"core", "tracing", "machine", "knitout"}},
     {"emit", {"core", "tracing", "machine", "transfer", "schedule"}},
     {"pipeline",

@@ -108,8 +108,10 @@ KnitGraphStats measure_graph(const KnitGraph& graph) {
   std::vector<double> row_lengths;
   for (int row = 0; row < stats.rows; ++row) {
     if (!graph.rows[row].closed) ++stats.short_rows;
-    if (links.is_split(row)) ++stats.splits;
-    if (graph.rows[row].closed && links.is_merge(row)) ++stats.merges;
+    const int above = static_cast<int>(links.above[row].size());
+    const int below = static_cast<int>(links.below[row].size());
+    if (above > 1) stats.splits += above - 1;
+    if (graph.rows[row].closed && below > 1) stats.merges += below - 1;
     row_lengths.insert(row_lengths.end(), graph.row_lengths[row].begin(),
                        graph.row_lengths[row].end());
   }

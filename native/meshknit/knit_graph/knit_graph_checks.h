@@ -54,7 +54,8 @@ struct LengthError {
 
 /// What the report says of a graph.
 struct KnitGraphStats {
-  int nodes = 0, rows = 0, short_rows = 0, splits = 0, merges = 0;
+  int nodes = 0, rows = 0, short_rows = 0;
+  int splits = 0, merges = 0;  ///< k - 1 of them where a row parts into k, or k meet in one
   int increases = 0, decreases = 0;  ///< nodes with two columns up, with two down
   int short_row_ends = 0;
   int irregular = 0;  ///< nodes that are one or more of these three

@@ -1,7 +1,6 @@
 #include "meshknit/schedule/bed_order.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <tuple>
@@ -14,7 +13,7 @@ namespace {
 
 constexpr size_t kMostStates = 20000;
 
-// A tube on the bed, and which part was left at the connection below it.
+// A tube on the bed, and which outer part was left at the connection below it.
 struct Held {
   int tube = 0, left_below = 0;
   friend bool operator<(const Held& a, const Held& b) {
@@ -78,7 +77,7 @@ class OrderSearch {
     if (c < 0) return start(tube);
     const Connection& connection = connections_[c];
     if (!connection.split) return merge(c);
-    if (tube == connection.parts[0]) split(c);
+    if (tube == connection.first) split(c);
   }
 
   void start(int tube) {
@@ -101,10 +100,13 @@ class OrderSearch {
       for (const int left : {0, 1}) {
         Row longer = row;
         const auto at = find(longer, connection.whole);
+        std::vector<Held> parts;
+        for (const int part : connection.parts) parts.push_back({part, left});
+        if (left != 0) std::reverse(parts.begin(), parts.end());
         OrderCost cost = way.cost;
         add(cost, costs_[connection.whole][at->left_below][left]);
-        *at = {connection.parts[1 - left], left};
-        longer.insert(at, {connection.parts[left], left});
+        const auto place = longer.erase(at);
+        longer.insert(place, parts.begin(), parts.end());
         offer(next, longer, cost, way, c, left);
       }
     take(std::move(next));
@@ -115,15 +117,21 @@ class OrderSearch {
     Ways next;
     for (const auto& [row, way] : ways_) {
       Row shorter = row;
-      auto a = find(shorter, connection.parts[0]), b = find(shorter, connection.parts[1]);
-      if (std::abs(a - b) != 1) continue;
-      const int left = a < b ? 0 : 1;
+      auto first = std::find_if(shorter.begin(), shorter.end(),
+                                [&](const Held& held) { return is_part(connection, held); });
+      const int left = first->tube == connection.parts.front() ? 0 : 1;
+      std::vector<int> order = connection.parts;
+      if (left != 0) std::reverse(order.begin(), order.end());
+      if (shorter.end() - first < static_cast<long>(order.size())) continue;
+      const auto last = first + static_cast<long>(order.size());
+      if (!std::equal(first, last, order.begin(),
+                      [](const Held& held, int tube) { return held.tube == tube; }))
+        continue;
       OrderCost cost = way.cost;
-      add(cost, costs_[a->tube][a->left_below][left]);
-      add(cost, costs_[b->tube][b->left_below][left]);
-      if (b < a) std::swap(a, b);
-      *a = {connection.whole, left};
-      shorter.erase(b);
+      for (auto held = first; held != last; ++held)
+        add(cost, costs_[held->tube][held->left_below][left]);
+      *first = {connection.whole, left};
+      shorter.erase(first + 1, last);
       offer(next, shorter, cost, way, c, left);
     }
     if (next.empty()) refuse_crossing(connection);
@@ -141,6 +149,10 @@ class OrderSearch {
       offer(next, shorter, cost, way, -1, 0);
     }
     take(std::move(next));
+  }
+
+  static bool is_part(const Connection& connection, const Held& held) {
+    return std::count(connection.parts.begin(), connection.parts.end(), held.tube) > 0;
   }
 
   static Row::iterator find(Row& row, int tube) {
@@ -172,24 +184,30 @@ class OrderSearch {
     std::vector<int> between;
     bool found = false;
     for (const auto& way : ways_) {
-      Row row = way.first;
-      auto a = find(row, connection.parts[0]), b = find(row, connection.parts[1]);
-      if (b < a) std::swap(a, b);
-      if (found && b - a - 1 >= static_cast<long>(between.size())) continue;
+      const Row& row = way.first;
+      const auto part = [&](const Held& held) { return is_part(connection, held); };
+      const auto first = std::find_if(row.begin(), row.end(), part);
+      const auto end = std::find_if(row.rbegin(), row.rend(), part).base();
+      std::vector<int> here;
+      for (auto held = first; held < end; ++held)
+        if (!part(*held)) here.push_back(held->tube);
+      if (found && here.size() >= between.size()) continue;
       found = true;
-      between.clear();
-      for (auto held = a + 1; held < b; ++held) between.push_back(held->tube);
+      between = here;
     }
     const auto first_stitch = [&](int tube) {
       return tubes_.tubes[tube].steps.front().first_stitch;
     };
     Problem problem;
     problem.code = "tubes-cross";
-    problem.message = "The two tubes that meet at stitch " +
+    const std::string others =
+        between.empty() ? "each other"
+        : between.size() == 1
+            ? "another tube that hangs between them"
+            : std::to_string(between.size()) + " other tubes that hang between them";
+    problem.message = "The tubes that meet at stitch " +
                       std::to_string(first_stitch(connection.whole)) + " would have to cross " +
-                      std::to_string(between.size()) + " other tube" +
-                      (between.size() == 1 ? "" : "s") + " that hang" +
-                      (between.size() == 1 ? "s" : "") + " between them.";
+                      others + ".";
     problem.remedy =
         "Change the knitting times so that the tube between them ends first, or cut the object "
         "open and sew a seam.";

@@ -4,51 +4,43 @@
 #include <string>
 
 #include "meshknit/core/error.h"
+#include "meshknit/knit_graph/ring_parts.h"
 
 namespace meshknit {
 namespace {
 
-[[noreturn]] void refuse_torn(const StitchTrace& trace, const SteppedTubes& tubes, int part) {
-  const int stitch = tubes.tubes[part].steps.front().first_stitch;
+[[noreturn]] void refuse(const StitchTrace& trace, const SteppedTubes& tubes, int tube,
+                         const std::string& why) {
+  const int stitch = tubes.tubes[tube].steps.front().first_stitch;
   Problem problem;
-  problem.code = "loops-apart";
-  problem.message = "Where tubes part or meet at stitch " + std::to_string(stitch) +
-                    ", the loops of one tube do not hang side by side.";
-  problem.remedy = "Change the knitting times there, or smooth the object.";
+  problem.code = "tubes-not-side-by-side";
+  problem.message = "Where tubes part or meet at stitch " + std::to_string(stitch) + ", " + why;
+  problem.remedy =
+      "Change the knitting times there, so that there is a row of stitches between one branch "
+      "and the next.";
   problem.elements.stitches = {stitch};
   problem.elements.nodes = {trace.stitches[stitch].node};
   throw NotKnittable({problem});
 }
 
-// Two tubes become one, or one becomes two, and every loop goes on.
-void require_pairs(const StitchTrace& trace, const SteppedTubes& tubes) {
-  for (const TubeSteps& tube : tubes.tubes) {
+// Several tubes become one, or one becomes several, and every loop goes on.
+void require_one_whole(const StitchTrace& trace, const SteppedTubes& tubes) {
+  for (int t = 0; t < static_cast<int>(tubes.tubes.size()); ++t) {
+    const TubeSteps& tube = tubes.tubes[t];
     if (tube.below.empty()) continue;
     std::size_t given = 0, taken = 0;
-    bool good = tube.below.size() <= 2;
+    bool good = true;
     for (const int below : tube.below) {
-      good = good && tubes.tubes[below].above.size() == 3 - tube.below.size();
+      good = good && (tube.below.size() == 1) == (tubes.tubes[below].above.size() > 1);
       given += tubes.tubes[below].end.size();
     }
     for (const int beside : tubes.tubes[tube.below[0]].above)
       taken += tubes.tubes[beside].origins.size();
-    if (good && given == taken) continue;
-    const int stitch = tube.steps.front().first_stitch;
-    Problem problem;
-    problem.code = "tubes-not-in-pairs";
-    problem.message = "At stitch " + std::to_string(stitch) +
-                      " tubes part or meet otherwise than two and two.";
-    problem.remedy =
-        "Change the knitting times there, so that there is a row of stitches between one "
-        "branch "
-        "and the next.";
-    problem.elements.stitches = {stitch};
-    problem.elements.nodes = {trace.stitches[stitch].node};
-    throw NotKnittable({problem});
+    if (!good || given != taken) refuse(trace, tubes, t, "loops are lost or change tubes.");
   }
 }
 
-/// For each slot of the whole: which part, and the slot there.
+/// For each slot of the whole: which tube, and the slot there.
 struct PartSlot {
   int part = 0, slot = 0;
 };
@@ -57,20 +49,20 @@ std::vector<PartSlot> part_slots_of(const SteppedTubes& tubes, const Connection&
   std::vector<PartSlot> slots;
   if (connection.split) {
     slots.resize(tubes.tubes[connection.whole].end.size());
-    for (int part = 0; part < 2; ++part) {
-      const std::vector<EndStack>& origins = tubes.tubes[connection.parts[part]].origins;
+    for (const int part : tubes.tubes[connection.whole].above) {
+      const std::vector<EndStack>& origins = tubes.tubes[part].origins;
       for (int slot = 0; slot < static_cast<int>(origins.size()); ++slot)
         slots[origins[slot].stack] = {part, slot};
     }
   } else {
     for (const EndStack& origin : tubes.tubes[connection.whole].origins)
-      slots.push_back({origin.tube == connection.parts[0] ? 0 : 1, origin.stack});
+      slots.push_back({origin.tube, origin.stack});
   }
   return slots;
 }
 
-// Each part must be one arc of the whole, in its own cyclic order.
-bool is_arc(const std::vector<int>& part_slots) {
+// The loops of a part must come in its own cyclic order.
+bool is_in_order(const std::vector<int>& part_slots) {
   const int n = static_cast<int>(part_slots.size());
   for (int i = 0; i + 1 < n; ++i)
     if (part_slots[i + 1] != (part_slots[i] + 1) % n) return false;
@@ -80,35 +72,55 @@ bool is_arc(const std::vector<int>& part_slots) {
 void number_slots(const StitchTrace& trace, const SteppedTubes& tubes, Connection& connection) {
   const std::vector<PartSlot> slots = part_slots_of(tubes, connection);
   const int n = static_cast<int>(slots.size());
-  int begin = 0;
-  while (begin < n && !(slots[begin].part == 0 && slots[(begin + n - 1) % n].part == 1))
-    ++begin;
-  for (int i = 0; i < n; ++i) {
-    const PartSlot& at = slots[(begin + i) % n];
-    connection.whole_slots.push_back((begin + i) % n);
-    connection.part_slots[at.part].push_back(at.slot);
-    if (at.part == 0 && !connection.part_slots[1].empty())
-      refuse_torn(trace, tubes, connection.parts[0]);
+  std::vector<int> part_of;
+  for (const PartSlot& slot : slots) part_of.push_back(slot.part);
+  const std::vector<PartStretch> stretches = ring_parts(part_of);
+  const std::size_t parts = stretches.size() / 2 + 1;
+  const int first = connection.split ? connection.first : connection.whole;
+  if (stretches.empty()) refuse(trace, tubes, first, "they do not lie side by side.");
+  connection.part_slots.resize(parts);
+  for (std::size_t k = 0; k < parts; ++k) connection.parts.push_back(stretches[k].part);
+  for (std::size_t k = 0; k < stretches.size(); ++k)
+    for (int i = 0; i < stretches[k].count; ++i) {
+      const int at = (stretches[k].first + i) % n;
+      connection.whole_slots.push_back(at);
+      connection.part_slots[std::min(k, stretches.size() - k)].push_back(slots[at].slot);
+    }
+  // What one side of a middle part has more than the other tells how its ends lie.
+  std::vector<int> sizes;
+  for (const std::vector<int>& own : connection.part_slots) {
+    sizes.push_back(static_cast<int>(own.size()));
+    if (!is_in_order(own)) refuse(trace, tubes, first, "the loops of one are not in order.");
   }
-  for (int part = 0; part < 2; ++part)
-    if (!is_arc(connection.part_slots[part])) refuse_torn(trace, tubes, connection.parts[part]);
+  const auto fits = [&](const std::vector<int>& ends) {
+    bool good = !ends.empty();
+    for (std::size_t k = 1; good && k + 1 < parts; ++k)
+      good = ends[k + 1] - ends[k] == sizes[k] - 2 * stretches[k].count;
+    return good;
+  };
+  for (const int left : {0, -1}) {
+    const std::vector<int> ends = aligned_ends(sizes, left);
+    if (connection.ends.empty() && fits(ends)) connection.ends = ends;
+  }
+  if (connection.ends.empty())
+    refuse(trace, tubes, first, "those in the middle cannot hang evenly on both beds.");
 }
 
 }  // namespace
 
 std::vector<Connection> find_connections(const StitchTrace& trace, const SteppedTubes& tubes) {
-  require_pairs(trace, tubes);
+  require_one_whole(trace, tubes);
   std::vector<Connection> connections;
+  std::vector<bool> parted(tubes.tubes.size(), false);
   for (const SteppedTubes::Turn& turn : tubes.turns) {
     const TubeSteps& tube = tubes.tubes[turn.tube];
     if (turn.step > 0 || tube.below.empty()) continue;
     Connection connection;
     connection.split = tube.below.size() == 1;
     connection.whole = connection.split ? tube.below[0] : turn.tube;
-    const std::vector<int>& parts =
-        connection.split ? tubes.tubes[tube.below[0]].above : tube.below;
-    connection.parts = {parts[0], parts[1]};
-    if (connection.split && turn.tube != parts[0]) continue;
+    connection.first = turn.tube;
+    if (connection.split && parted[connection.whole]) continue;
+    parted[connection.whole] = connection.split;
     number_slots(trace, tubes, connection);
     connections.push_back(std::move(connection));
   }
@@ -116,24 +128,45 @@ std::vector<Connection> find_connections(const StitchTrace& trace, const Stepped
 }
 
 ConnectionLayout connection_layout(const Connection& connection, int left) {
-  const int right = 1 - left;
-  const std::vector<int>&x = connection.part_slots[left], &y = connection.part_slots[right];
-  const int nx = static_cast<int>(x.size()), ny = static_cast<int>(y.size());
-  // How far the back bed's end lies right of the front bed's: at the left end, where the parts
-  // meet, and at the right end. Odd cycles have one end that differs.
-  const int left_end = nx % 2 != 0 && ny % 2 == 0 ? -1 : 0;
-  const int meeting = nx % 2 != 0 && ny % 2 != 0 ? -1 : 0;
-  const int right_end = ny % 2 != 0 && nx % 2 == 0 ? -1 : 0;
-  const int x_back = (nx + meeting - left_end) / 2, x_front = nx - x_back;
-  const int y_back = (ny + right_end - meeting) / 2, y_front = ny - y_back;
+  // From the left: the tubes, their ends, and where each one's slots begin in the ring.
+  const std::size_t parts = connection.parts.size();
+  std::vector<std::size_t> order(parts);
+  for (std::size_t k = 0; k < parts; ++k) order[k] = left == 0 ? k : parts - 1 - k;
+  std::vector<int> ends = connection.ends;
+  if (left != 0) std::reverse(ends.begin(), ends.end());
 
-  // Round the whole, from the front's left end: x on the front, all of y, x on the back.
-  const int all = nx + ny, x_begin = left == 0 ? 0 : ny;
   ConnectionLayout layout;
-  layout.whole = {
-      all, connection.whole_slots[(x_begin + x_back) % all], {x_front + y_front, left_end}, 0};
-  layout.parts[left] = {nx, x[x_back % nx], {x_front, left_end}, 0};
-  layout.parts[right] = {ny, y[0], {y_front, meeting}, x_front};
+  layout.parts.resize(parts);
+  int place = 0;
+  for (std::size_t k = 0; k < parts; ++k) {
+    const std::vector<int>& slots = connection.part_slots[order[k]];
+    const int n = static_cast<int>(slots.size());
+    const int front = (n - (ends[k + 1] - ends[k])) / 2;
+    // The slot at the front's left end. The ring runs from parts[0] out on the one bed and back on
+    // the other; the left part's slots begin on the back bed, as whole_slots does.
+    int begin = 0;
+    if (k == 0)
+      begin = (n - front) % n;
+    else if (left != 0 && k + 1 < parts)
+      begin = n - front;
+    layout.parts[order[k]] = {n, slots[begin], {front, ends[k]}, place};
+    place += front;
+  }
+  const int all = static_cast<int>(connection.whole_slots.size());
+  const BedLayout& leftmost = layout.parts[order[0]];
+  // Round the ring from parts[0]: all of it, the middle parts' first sides, then the last part.
+  int begin = 0;
+  if (left != 0) {
+    begin = static_cast<int>(connection.part_slots.front().size());
+    for (std::size_t k = 1; k + 1 < parts; ++k) {
+      const BedLayout& middle = layout.parts[k];
+      begin += middle.slots - middle.shape.front;
+    }
+  }
+  layout.whole = {all,
+                  connection.whole_slots[(begin + leftmost.slots - leftmost.shape.front) % all],
+                  {place, ends.front()},
+                  0};
   return layout;
 }
 

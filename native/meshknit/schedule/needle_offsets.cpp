@@ -49,7 +49,7 @@ class BedWalk {
     for (size_t c = 0; c < connections_.size(); ++c) {
       const Connection& connection = connections_[c];
       const int left = order_.left_part[c];
-      if (connection.split && connection.parts[0] == tube) part(connection, left);
+      if (connection.split && connection.first == tube) part(connection, left);
       if (!connection.split && connection.whole == tube) meet(connection, left);
     }
   }
@@ -91,26 +91,31 @@ class BedWalk {
     const ConnectionLayout layout = connection_layout(connection, left);
     const int place = bed_.layout(connection.whole).place;
     bed_.take_off(connection.whole);
-    for (const int p : {0, 1}) {
+    for (std::size_t p = 0; p < layout.parts.size(); ++p) {
       BedLayout own = layout.parts[p];
       own.place += place;
       bed_.hang(connection.parts[p], own);
     }
   }
 
-  // The order is still that of the step before, with both parts in it.
+  // The order is still that of the step before, with all parts in it. The largest stays where it is,
+  // the others come to it, the nearest first.
   void meet(const Connection& connection, int left) {
     const ConnectionLayout layout = connection_layout(connection, left);
-    const int x = connection.parts[left], y = connection.parts[1 - left];
-    const int gap = bed_.layout(y).place - bed_.layout(x).place - layout.parts[1 - left].place;
-    if (bed_.layout(x).slots < bed_.layout(y).slots)
-      bed_.shift(x, gap);
-    else
-      bed_.shift(y, -gap);
+    const int parts = static_cast<int>(connection.parts.size());
+    int still = 0;
+    for (int p = 1; p < parts; ++p)
+      if (layout.parts[p].slots >= layout.parts[still].slots) still = p;
+    const int origin = bed_.layout(connection.parts[still]).place - layout.parts[still].place;
+    const auto fetch = [&](int p) {
+      const int tube = connection.parts[p];
+      bed_.shift(tube, origin + layout.parts[p].place - bed_.layout(tube).place);
+    };
+    for (int p = still - 1; p >= 0; --p) fetch(p);
+    for (int p = still + 1; p < parts; ++p) fetch(p);
     BedLayout whole = layout.whole;
-    whole.place = bed_.layout(x).place;
-    bed_.take_off(x);
-    bed_.take_off(y);
+    whole.place = origin;
+    for (const int part : connection.parts) bed_.take_off(part);
     bed_.hang(connection.whole, whole);
   }
 
@@ -138,17 +143,21 @@ class BedWalk {
     bed_.knit(tube, step, next);
   }
 
-  // Towards the tube that it will meet, if they are neighbours already.
+  // Towards the tube that it will meet, if they are neighbours already; one that will meet two stays
+  // between them.
   int liked_offset(int tube, size_t row, const PlaceRange& unmoved,
                    const OffsetChoice& choice) const {
     const std::vector<int>& held = bed_.order();
     for (size_t c = 0; c < connections_.size(); ++c) {
-      const std::array<int, 2>& parts = connections_[c].parts;
-      if (connections_[c].split || (parts[0] != tube && parts[1] != tube)) continue;
-      const bool is_left = parts[order_.left_part[c]] == tube;
-      const size_t beside = is_left ? row + 1 : row - 1;
-      if (beside < held.size() && held[beside] == parts[parts[0] == tube ? 1 : 0])
-        return is_left ? choice.highest : choice.lowest;
+      if (connections_[c].split) continue;
+      std::vector<int> parts = connections_[c].parts;
+      if (order_.left_part[c] != 0) std::reverse(parts.begin(), parts.end());
+      const auto own = std::find(parts.begin(), parts.end(), tube);
+      if (own == parts.end()) continue;
+      const bool right =
+          row + 1 < held.size() && own + 1 != parts.end() && held[row + 1] == own[1];
+      const bool left = row > 0 && own != parts.begin() && held[row - 1] == own[-1];
+      if (right != left) return right ? choice.highest : choice.lowest;
     }
     return (bed_.first_middle(tube) - middle(unmoved)) / 2;
   }

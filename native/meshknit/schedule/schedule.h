@@ -86,7 +86,7 @@ struct Schedule {
 /// Requires: check_trace finds nothing for the trace.
 /// Throws: NotKnittable "too-wide" naming the widest rows' nodes and the largest scale that fits;
 /// "too-narrow" for a row of fewer than two loops; "stack-too-high" naming the nodes where tucks
-/// and decreases pile up more loops than a needle holds; "tubes-cross", "tubes-not-in-pairs",
+/// and decreases pile up more loops than a needle holds; "tubes-cross", "tubes-not-side-by-side",
 /// "loops-apart" (bed_order.h, connections.h, tube_steps.h); Cancelled.
 /// Ensures: check_schedule(trace, result, profile) finds nothing. `optimal` is false if not all
 /// orders of the tubes could be tried, or if tubes would walk off the bed or into each other and

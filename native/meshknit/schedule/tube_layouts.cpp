@@ -1,5 +1,7 @@
 #include "meshknit/schedule/tube_layouts.h"
 
+#include <algorithm>
+
 namespace meshknit {
 namespace {
 
@@ -7,7 +9,8 @@ namespace {
 BedLayout layout_at(const Connection& connection, int left, int tube) {
   const ConnectionLayout layout = connection_layout(connection, left);
   if (connection.whole == tube) return layout.whole;
-  return layout.parts[connection.parts[0] == tube ? 0 : 1];
+  const auto part = std::find(connection.parts.begin(), connection.parts.end(), tube);
+  return layout.parts[part - connection.parts.begin()];
 }
 
 }  // namespace

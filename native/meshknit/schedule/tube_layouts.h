@@ -11,8 +11,8 @@
 
 namespace meshknit {
 
-/// The best layouts of every tube (layout_search.h), depending on which part hangs left at the
-/// connections below and above it.
+/// The best layouts of every tube (layout_search.h), depending on which way round the
+/// connections below and above it hang.
 ///
 /// A step that neither increases nor decreases keeps the layout of the step before. That loses
 /// nothing: rolls and shifts of one move are never more than those of the same move made in parts.

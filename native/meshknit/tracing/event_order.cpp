@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <set>
 #include <utility>
 
+#include "meshknit/knit_graph/ring_parts.h"
 #include "meshknit/knit_graph/rows.h"
 
 namespace meshknit {
@@ -16,7 +16,8 @@ constexpr std::size_t kMostEvents = 64;
 
 using Row = std::vector<int>;  // tubes, left to right
 
-/// Which tubes a tube takes over, and which take it over; when it begins and ends.
+/// Which tubes a tube takes over, and which take it over, as they hang from one side to the other;
+/// when it begins and ends.
 struct TubeLinks {
   std::vector<int> below, above;
   double begin = 0.0, end = 0.0;
@@ -49,6 +50,29 @@ std::vector<TubeLinks> link_tubes(const KnitGraph& graph, const Tubes& tubes) {
       }
   }
   return links;
+}
+
+// Puts tubes that part from a closed row, or meet in it, into the order in which they hang.
+void put_side_by_side(const KnitGraph& graph, const Tubes& tubes,
+                      std::vector<TubeLinks>& links) {
+  const RowWalk walk(graph);
+  for (std::size_t row = 0; row < graph.rows.size(); ++row) {
+    if (!graph.rows[row].closed) continue;
+    TubeLinks& own = links[tubes.of_row[row]];
+    for (const bool up : {false, true}) {
+      std::vector<int>& others = up ? own.above : own.below;
+      std::vector<int> part;
+      for (const int node : graph.rows[row].nodes)
+        for (const int other : up ? walk.above(node) : walk.below(node)) {
+          const int tube = tubes.of_row[walk.place(other).row];
+          if (tube != tubes.of_row[row]) part.push_back(tube);
+        }
+      if (others.size() < 3 || part.empty()) continue;
+      const std::vector<PartStretch> stretches = ring_parts(part);
+      if (stretches.size() != 2 * (others.size() - 1)) continue;
+      for (std::size_t k = 0; k < others.size(); ++k) others[k] = stretches[k].part;
+    }
+  }
 }
 
 class EventSearch {
@@ -111,21 +135,24 @@ class EventSearch {
         rows.push_back(after);
         break;
       case TubeEvent::Kind::split:
-        for (const int left : {0, 1}) {
-          if (!hangs || own.above.size() != 2) break;
+        for (Row parts : {own.above, Row(own.above.rbegin(), own.above.rend())}) {
+          if (!hangs) break;
           after = row;
-          after[at] = own.above[left];
-          after.insert(after.begin() + at + 1, own.above[1 - left]);
+          after.insert(after.erase(after.begin() + at), parts.begin(), parts.end());
           rows.push_back(after);
         }
         break;
       case TubeEvent::Kind::merge: {
-        const auto a = std::find(row.begin(), row.end(), own.below[0]);
-        const auto b = std::find(row.begin(), row.end(), own.below[1]);
-        if (a == row.end() || b == row.end() || std::abs(a - b) != 1) break;
-        const auto left = std::min(a, b) - row.begin();
-        after[left] = event.tube;
-        after.erase(after.begin() + left + 1);
+        const auto first =
+            std::find_first_of(after.begin(), after.end(), own.below.begin(), own.below.end());
+        Row parts = own.below;
+        if (first != after.end() && *first != parts.front())
+          std::reverse(parts.begin(), parts.end());
+        if (after.end() - first < static_cast<long>(parts.size()) ||
+            !std::equal(parts.begin(), parts.end(), first))
+          break;
+        *first = event.tube;
+        after.erase(first + 1, first + static_cast<long>(parts.size()));
         rows.push_back(after);
         break;
       }
@@ -158,7 +185,9 @@ class EventSearch {
 
 std::vector<TubeEvent> find_event_order(const KnitGraph& graph, const Tubes& tubes) {
   if (tubes.count < 2) return {};
-  return EventSearch(link_tubes(graph, tubes)).run();
+  std::vector<TubeLinks> links = link_tubes(graph, tubes);
+  put_side_by_side(graph, tubes, links);
+  return EventSearch(std::move(links)).run();
 }
 
 }  // namespace meshknit

@@ -10,7 +10,7 @@ namespace meshknit {
 /// What happens to the tubes on the bed.
 struct TubeEvent {
   enum class Kind { start, split, merge, end } kind = Kind::start;
-  int tube = 0;  ///< that starts, that parts, that two others become, that ends
+  int tube = 0;  ///< that starts, that parts, that others become, that ends
 };
 
 /// An order of events in which tubes can hang side by side without crossing: a level planar drawing

@@ -69,6 +69,11 @@ TEST(BranchesEmit, ThreeLegsKnitWithoutErrorBothWays) {
   EXPECT_EQ(errors_of_program(three_legs(20, 20, 20, 6, -2)), "") << "narrowing";
 }
 
+TEST(BranchesEmit, ThreeTubesPartInOneRowWithoutError) {
+  for (const auto& [a, b, c] : {std::array{6, 3, 6}, {5, 4, 8}, {8, 2, 7}, {12, 6, 4}})
+    EXPECT_EQ(errors_of_program(three_way_split(a, b, c, b)), "") << a << " " << b << " " << c;
+}
+
 TEST(BranchesEmit, PairsThatWouldCrossAreKnitInTurn) {
   EXPECT_EQ(errors_of_program(crossed_pairs(4, 5, false)), "");
   EXPECT_EQ(errors_of_program(crossed_pairs(7, 3, false)), "");

@@ -59,7 +59,8 @@ class DrawnTubes {
     Connection connection;
     connection.split = split;
     connection.whole = whole;
-    connection.parts = parts;
+    connection.parts = {parts[0], parts[1]};
+    connection.first = split ? parts[0] : whole;
     connections.push_back(connection);
   }
 };

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
+#include <utility>
 
 #include "graphs.h"
 #include "meshknit/core/error.h"
+#include "meshknit/knit_graph/ring_parts.h"
 #include "meshknit/tracing/trace.h"
 
 namespace meshknit {
@@ -18,9 +21,12 @@ Connection drawn(int x, int y, int turn) {
   connection.split = true;
   connection.whole = 0;
   connection.parts = {1, 2};
+  connection.part_slots.resize(2);
   for (int i = 0; i < x + y; ++i) connection.whole_slots.push_back((i + turn) % (x + y));
   for (int i = 0; i < x; ++i) connection.part_slots[0].push_back((i + 2 * turn) % x);
   for (int i = 0; i < y; ++i) connection.part_slots[1].push_back((i + 3 * turn) % y);
+  for (const int left : {0, -1})
+    if (connection.ends.empty()) connection.ends = aligned_ends({x, y}, left);
   return connection;
 }
 
@@ -80,13 +86,45 @@ TEST(Connections, ASplitGivesEveryLoopOfTheTrunkToOneLeg) {
   EXPECT_EQ(connections[0].part_slots[1].size(), 7u);
 }
 
-TEST(Connections, ThreeTubesThatPartAtOnceAreRefused) {
+TEST(Connections, ThreeTubesThatPartAtOnceHangSideBySide) {
+  const StitchTrace trace = trace_knit_graph(three_way_split(6, 3, 7, 3));
+  const SteppedTubes tubes = replay_tubes(trace);
+  const std::vector<Connection> connections = find_connections(trace, tubes);
+  ASSERT_EQ(connections.size(), 1u);
+  const Connection& connection = connections[0];
+  ASSERT_EQ(connection.parts.size(), 3u);
+  EXPECT_EQ(connection.part_slots[1].size(), 6u) << "3 + 3 loops between the others";
+  for (const int left : {0, 1}) {
+    const ConnectionLayout layout = connection_layout(connection, left);
+    std::set<std::pair<bool, int>> whole, parts;
+    const auto hook = [](const BedLayout& tube, int slot) {
+      const Hook at = slot_hook(tube, slot);
+      return std::make_pair(at.bed == Bed::front, at.n);
+    };
+    for (int slot = 0; slot < layout.whole.slots; ++slot)
+      whole.insert(hook(layout.whole, slot));
+    for (std::size_t part = 0; part < 3; ++part) {
+      const BedLayout& own = layout.parts[part];
+      ASSERT_TRUE(is_allowed(own));
+      for (int slot = 0; slot < own.slots; ++slot) parts.insert(hook(own, slot));
+      const int n = static_cast<int>(connection.part_slots[part].size());
+      ASSERT_EQ(own.slots, n);
+    }
+    EXPECT_EQ(whole, parts);
+    EXPECT_EQ(parts.size(), 19u) << "no hook holds loops of two tubes";
+    const int leftmost = left == 0 ? 0 : 2;
+    EXPECT_EQ(places_between(layout.parts[leftmost], layout.parts[1]), 0);
+    EXPECT_EQ(places_between(layout.parts[1], layout.parts[2 - leftmost]), 0);
+  }
+}
+
+TEST(Connections, AMiddleTubeWithMoreLoopsOnOneSideIsRefused) {
   try {
-    const StitchTrace trace = trace_knit_graph(three_way_split(6, 4, 6, 4));
+    const StitchTrace trace = trace_knit_graph(three_way_split(6, 2, 6, 6));
     find_connections(trace, replay_tubes(trace));
-    FAIL() << "two cuts in one row";
+    FAIL() << "2 loops on one bed, 6 on the other";
   } catch (const NotKnittable& refused) {
-    const Problem* problem = find_problem(refused.problems(), "tubes-not-in-pairs");
+    const Problem* problem = find_problem(refused.problems(), "tubes-not-side-by-side");
     ASSERT_NE(problem, nullptr);
     EXPECT_FALSE(problem->elements.nodes.empty());
   }
