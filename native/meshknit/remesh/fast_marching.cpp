@@ -32,6 +32,14 @@ double through_triangle(double d_a, double d_b, const Eigen::Vector3d& to_a,
 
 }  // namespace
 
+double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                           const Eigen::Vector3d& b) {
+  const Eigen::Vector3d ab = b - a;
+  const double squared = ab.squaredNorm();
+  const double t = squared > 0.0 ? std::clamp((p - a).dot(ab) / squared, 0.0, 1.0) : 0.0;
+  return (a + t * ab - p).norm();
+}
+
 void march(const PeelState& state, const std::vector<MarchSeed>& seeds, double limit,
            const std::function<bool(int)>& passable, std::vector<double>& distance) {
   const TriangleMesh& mesh = state.mesh;

@@ -13,6 +13,10 @@ struct MarchSeed {
   double distance = 0.0;  ///< mm
 };
 
+/// How far a point is from the segment a-b, to seed a march from a curve.
+double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                           const Eigen::Vector3d& b);
+
 /// Distance of every vertex from the seeds, out to `limit` mm, infinite beyond and where `passable`
 /// says no. Fast marching (Kimmel and Sethian 1998): near enough for counting the rows that are
 /// left, and linear in the strip where exact windows would multiply. `distance` holds one number a

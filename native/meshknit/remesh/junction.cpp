@@ -7,6 +7,7 @@
 #include "meshknit/core/error.h"
 #include "meshknit/remesh/junction_links.h"
 #include "meshknit/remesh/sampling.h"
+#include "meshknit/remesh/side_by_side.h"
 #include "meshknit/surface/wording.h"
 
 namespace meshknit {
@@ -16,6 +17,9 @@ constexpr double turn = 6.28318530717958647692;
 
 // Where rows of the full height do not part or meet as they should, lower ones do.
 constexpr double heights[] = {1.0, 0.75, 0.55, 0.4, 0.25, 0.1, 0.0};
+
+// Stitches that a middle part has at least on each bed.
+constexpr int fewest_side = 2;
 
 class Junction {
  public:
@@ -38,6 +42,7 @@ class Junction {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
+    if (peel_.plan.joined[number_]) throw NotInOneRow{event_.vertices};
     const int vertex = event_.vertices.front();
     Problem problem;
     problem.code = "junction-too-tight";
@@ -52,9 +57,10 @@ class Junction {
   }
 
   void require_simple() const {
-    if (below_.size() * event_.above.size() == 2 && event_.index == -1) return;
-    refuse(
-        "more than three tubes come together in one spot, or a handle begins and ends in it.");
+    const int parts = static_cast<int>(std::max(below_.size(), event_.above.size()));
+    const bool one = std::min(below_.size(), event_.above.size()) == 1;
+    if (one && parts > 1 && event_.index == 1 - parts) return;
+    refuse("tubes part and meet in one spot, or a handle begins and ends in it.");
   }
 
   void open_tubes() {
@@ -66,8 +72,10 @@ class Junction {
 
   void find_rows() {
     open_tubes();
-    for (const double part : heights)
+    for (const double part : heights) {
+      if (peel_.plan.joined[number_] && part < 1.0) break;  // lower rows do not reach over all
       if (slice(part * peel_.row_height)) return;
+    }
     refuse("they are too thin or too near to each other for this gauge.");
   }
 
@@ -181,68 +189,161 @@ class Junction {
   std::vector<ActiveCycle> split() {
     const ActiveCycle& active = below_.front();
     const int n = static_cast<int>(active.nodes.size());
-    if (n < 2 * fewest_round) refuse("the tube below has too few stitches to part.");
-    const std::vector<NodeImage> images[2] = {images_on_next(active, 0, next_[0]),
-                                              images_on_next(active, 0, next_[1])};
-    std::vector<double> weights;
-    for (int i = 0; i < n; ++i)
-      weights.push_back(images[0][i].off < images[1][i].off ? 1.0 : -1.0);
-    const Stretch first = best_stretch(weights, fewest_round);
-    const Stretch parts[2] = {first, {(first.first + first.count) % n, n - first.count}};
+    const int parts = static_cast<int>(next_.size());
+    if (n < parts * fewest_round) refuse("the tube below has too few stitches to part.");
+    std::vector<std::vector<NodeImage>> images;
+    for (const NextCycle& next : next_) images.push_back(images_on_next(active, 0, next));
+    const std::vector<std::vector<int>> part = nodes_of_parts(images);
     std::vector<ActiveCycle> above;
-    for (int k = 0; k < 2; ++k) {
-      const Stretch& part = parts[k];
-      const double spacing = next_[k].cycle.length() / part.count;
+    for (int k = 0; k < parts; ++k) {
+      const int count = static_cast<int>(part[k].size());
+      const double spacing = next_[k].cycle.length() / count;
       double x = 0.0, y = 0.0;  // the mean of where the nodes want the first place to be
-      for (int i = 0; i < part.count; ++i) {
-        const double angle =
-            turn * (images[k][(part.first + i) % n].place / spacing - i) / part.count;
+      for (int i = 0; i < count; ++i) {
+        const double angle = turn * (images[k][part[k][i]].place / spacing - i) / count;
         x += std::cos(angle);
         y += std::sin(angle);
       }
       const double begin = std::atan2(y, x) / turn * next_[k].cycle.length();
       std::vector<double> places;
-      for (int i = 0; i < part.count; ++i)
+      for (int i = 0; i < count; ++i)
         places.push_back(forward(0.0, begin + i * spacing, next_[k].cycle.length()));
       above.push_back(add_row(next_[k], places));
-      for (int i = 0; i < part.count; ++i)
-        peel_.builder.add_column(active.nodes[(part.first + i) % n].node,
-                                 above.back().nodes[i].node);
+      for (int i = 0; i < count; ++i)
+        peel_.builder.add_column(active.nodes[part[k][i]].node, above.back().nodes[i].node);
     }
     return above;
   }
 
+  // Which of the lower row's nodes go to each tube above, going round that tube.
+  std::vector<std::vector<int>> nodes_of_parts(
+      const std::vector<std::vector<NodeImage>>& images) const {
+    const int n = static_cast<int>(images.front().size());
+    std::vector<PartStretch> stretches;
+    if (images.size() == 2) {
+      std::vector<double> weights;
+      for (int i = 0; i < n; ++i)
+        weights.push_back(images[0][i].off < images[1][i].off ? 1.0 : -1.0);
+      const Stretch first = best_stretch(weights, fewest_round);
+      stretches = {{0, first.first, first.count},
+                   {1, (first.first + first.count) % n, n - first.count}};
+    } else {
+      stretches = balanced(images);
+    }
+    std::vector<std::vector<int>> nodes(images.size());
+    for (const PartStretch& stretch : stretches)
+      for (int i = 0; i < stretch.count; ++i)
+        nodes[stretch.part].push_back((stretch.first + i) % n);
+    return nodes;
+  }
+
+  std::vector<PartStretch> balanced(const std::vector<std::vector<NodeImage>>& images) const {
+    const int n = static_cast<int>(images.front().size());
+    const int parts = static_cast<int>(images.size());
+    std::vector<int> nearest(n, 0);
+    std::vector<std::vector<double>> cost(parts, std::vector<double>(n));
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < parts; ++k) {
+        cost[k][i] = images[k][i].off * images[k][i].off;
+        if (images[k][i].off < images[nearest[i]][i].off) nearest[i] = k;
+      }
+    const std::vector<PartStretch> wanted =
+        side_by_side(nearest, std::vector<double>(n, 1.0), parts, fewest_side);
+    const std::vector<PartStretch> found =
+        wanted.empty() ? wanted
+                       : balance(wanted, cost, fewest_round, fewest_side + n / (8 * parts));
+    if (found.empty()) refuse("they do not lie side by side.");
+    return found;
+  }
+
   ActiveCycle merge() {
     const NextCycle& next = next_.front();
+    const double length = next.cycle.length();
+    const std::vector<PartStretch> stretches = stretches_of_sources(next);
+    const auto begin = [&](std::size_t k) {
+      return next.cycle.arc[stretches[k % stretches.size()].first];
+    };
+    const std::vector<int> counts = counts_of(stretches);
+    std::vector<std::vector<double>> here(below_.size());  // places, going round each part
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+      const double span = forward(begin(k), begin(k + 1), length);
+      require_even(span, counts[k]);
+      for (int i = 0; i < counts[k]; ++i)
+        here[stretches[k].part].push_back(begin(k) + (i + 0.5) * span / counts[k]);
+    }
+    return add_merged(next, here);
+  }
+
+  // How many nodes each stretch gets: middle parts have half of theirs on either side, and one more
+  // where that makes the beds' ends fit.
+  std::vector<int> counts_of(const std::vector<PartStretch>& stretches) const {
+    const std::size_t parts = below_.size();
+    std::vector<int> sizes, ends;
+    for (std::size_t k = 0; k < parts; ++k)
+      sizes.push_back(static_cast<int>(below_[stretches[k].part].nodes.size()));
+    std::vector<int> counts = sizes;
+    if (parts == 2) return counts;
+    for (const int left : {0, -1})
+      if (ends.empty()) ends = aligned_ends(sizes, left);
+    if (ends.empty()) refuse("their stitches are not even enough in number.");
+    counts.resize(stretches.size());
+    for (std::size_t k = 1; k + 1 < parts; ++k) {
+      counts[k] = (sizes[k] - (ends[k + 1] - ends[k])) / 2;
+      counts[stretches.size() - k] = sizes[k] - counts[k];
+    }
+    return counts;
+  }
+
+  // Stretches of the next cycle's pieces by the tube below that is nearest.
+  std::vector<PartStretch> stretches_of_sources(const NextCycle& next) const {
     const int m = next.cycle.size();
-    std::vector<double> weights;
-    for (int i = 0; i < m; ++i) {
-      const double share = next.cycle.arc[i + 1] - next.cycle.arc[i];
-      weights.push_back(next.source[i] == 0 ? share : -share);
+    std::vector<double> share;
+    for (int i = 0; i < m; ++i) share.push_back(next.cycle.arc[i + 1] - next.cycle.arc[i]);
+    if (below_.size() > 2) {
+      const std::vector<PartStretch> found =
+          side_by_side(next.source, share, static_cast<int>(below_.size()),
+                       fewest_side * peel_.options.stitch_width);
+      if (found.empty()) refuse("they do not lie side by side.");
+      return found;
     }
     if (m < 2) refuse("they are too small for this gauge.");
-    const Stretch first = best_stretch(weights, 1);
+    for (int i = 0; i < m; ++i)
+      if (next.source[i] != 0) share[i] = -share[i];
+    const Stretch first = best_stretch(share, 1);
+    return {{0, first.first, first.count},
+            {1, (first.first + first.count) % m, m - first.count}};
+  }
+
+  // Many stitches on a short stretch would have to be balanced by force: then two merges are better.
+  void require_even(double span, int count) const {
+    if (below_.size() == 2) return;
+    const double spacing = span / std::max(count, 1) / peel_.options.stitch_width;
+    if (spacing < 0.6 || spacing > 1.6)
+      refuse("they do not lie across from each other evenly.");
+  }
+
+  ActiveCycle add_merged(const NextCycle& next, const std::vector<std::vector<double>>& here) {
     const double length = next.cycle.length();
-    const double begin = next.cycle.arc[first.first];
-    const double end = next.cycle.arc[(first.first + first.count) % m];
-    std::vector<double> places;
-    std::vector<int> lower;
-    for (int k = 0; k < 2; ++k) {
+    struct Link {
+      double place;
+      int lower;
+    };
+    std::vector<Link> links;
+    for (std::size_t k = 0; k < below_.size(); ++k) {
       const ActiveCycle& active = below_[k];
       const int n = static_cast<int>(active.nodes.size());
-      const double from = k == 0 ? begin : end,
-                   span = forward(from, k == 0 ? end : begin, length);
-      std::vector<double> here;
-      for (int i = 0; i < n; ++i) here.push_back(from + (i + 0.5) * span / n);
-      const int shift = best_shift(images_on_next(active, k, next), here, length);
-      for (int i = 0; i < n; ++i) {
-        places.push_back(forward(0.0, here[i], length));
-        lower.push_back(active.nodes[(i + shift) % n].node);
-      }
+      const int shift =
+          best_shift(images_on_next(active, static_cast<int>(k), next), here[k], length);
+      for (int i = 0; i < n; ++i)
+        links.push_back({forward(0.0, here[k][i], length), active.nodes[(i + shift) % n].node});
     }
+    std::stable_sort(links.begin(), links.end(),
+                     [](const Link& a, const Link& b) { return a.place < b.place; });
+    std::vector<double> places;
+    for (const Link& link : links) places.push_back(link.place);
     ActiveCycle above = add_row(next, places);
-    for (std::size_t i = 0; i < lower.size(); ++i)
-      peel_.builder.add_column(lower[i], above.nodes[i].node);
+    for (std::size_t i = 0; i < links.size(); ++i)
+      peel_.builder.add_column(links[i].lower, above.nodes[i].node);
     return above;
   }
 

@@ -37,12 +37,12 @@ PeelState fine_state(const Surface& surface, const std::vector<double>& time, do
 }  // namespace
 
 Peel::Peel(const Surface& surface, const std::vector<double>& time, const RemeshOptions& given,
-           RunContext* run)
+           const std::vector<int>& apart, RunContext* run)
     : options(given),
       row_height(2.0 * given.stitch_height),
       state(fine_state(surface, time, fine_edge * std::min(given.stitch_width, row_height),
                        source_face, run)),
-      plan(plan_sweep(state, row_height, run)),
+      plan(plan_sweep(state, row_height, apart, run)),
       limits(plan),
       band(state, limits),
       slicer(state, limits),

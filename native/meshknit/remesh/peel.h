@@ -18,9 +18,10 @@ inline constexpr int fewest_round = 4;
 /// What all steps of peeling share: the surface, the plan, the graph, and tools that keep their
 /// scratch memory between rows.
 struct Peel {
+  /// `apart`: as in plan_sweep.
   /// Throws: Cancelled.
   Peel(const Surface& surface, const std::vector<double>& time, const RemeshOptions& options,
-       RunContext* run);
+       const std::vector<int>& apart, RunContext* run);
   Peel(const Peel&) = delete;
   Peel& operator=(const Peel&) = delete;
 

@@ -13,8 +13,8 @@
 namespace meshknit {
 
 Peeling::Peeling(const Surface& surface, const std::vector<double>& time,
-                 const RemeshOptions& options, RunContext* run)
-    : peel_(surface, time, options, run), last_row_(peel_.plan.reeb.arcs.size()) {
+                 const RemeshOptions& options, const std::vector<int>& apart, RunContext* run)
+    : peel_(surface, time, options, apart, run), last_row_(peel_.plan.reeb.arcs.size()) {
   for (const ReebEvent& event : peel_.plan.reeb.events) {
     const bool rim = event.below.empty() != event.above.empty();
     const bool one = event.below.size() + event.above.size() == 1 && event.has_boundary;

@@ -14,13 +14,15 @@ namespace meshknit {
 /// one after another, in the order in which the time field begins them, and joined at saddles.
 class Peeling {
  public:
+  /// `apart`: fine vertices of saddles that are not to be joined (joined_saddles.h).
   /// Throws: NotKnittable, Cancelled.
   Peeling(const Surface& surface, const std::vector<double>& time, const RemeshOptions& options,
-          RunContext* run = nullptr);
+          const std::vector<int>& apart = {}, RunContext* run = nullptr);
 
   bool done() const { return done_; }
   double progress() const;  ///< fraction of the surface that is knitted
   /// The next row, or the rows at the next start or saddle.
+  /// Throws: NotKnittable; NotInOneRow (junction.h): begin again with these saddles apart.
   void step();
   /// "part-left-out": parts of a dozen stitches and more that no row could reach into.
   Problems warnings() const;

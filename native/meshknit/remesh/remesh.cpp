@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "meshknit/core/error.h"
+#include "meshknit/remesh/junction.h"
 #include "meshknit/remesh/peeling.h"
 
 namespace meshknit {
@@ -63,6 +65,20 @@ void require_some_rows(const Surface& surface, const RemeshOptions& options) {
   throw NotKnittable({problem});
 }
 
+KnitGraph peel_all(const Surface& surface, const std::vector<double>& time,
+                   const RemeshOptions& options, const std::vector<int>& apart, RunContext* run,
+                   Problems* warnings) {
+  Peeling peeling(surface, time, options, apart, run);
+  while (!peeling.done()) {
+    report(run, share_of_peeling * peeling.progress());
+    peeling.step();
+  }
+  if (warnings) *warnings = peeling.warnings();
+  return peeling.take_graph([&](double fraction) {
+    report(run, share_of_peeling + (1.0 - share_of_peeling) * fraction);
+  });
+}
+
 }  // namespace
 
 KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
@@ -74,17 +90,19 @@ KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
   require_sensible_size(surface, options);
   require_some_rows(surface, options);
   report(run, 0.0);
-  Peeling peeling(surface, time, options, run);
-  while (!peeling.done()) {
-    report(run, share_of_peeling * peeling.progress());
-    peeling.step();
+  std::vector<int> apart;
+  std::optional<KnitGraph> graph;
+  while (!graph) {
+    try {
+      graph = peel_all(surface, time, options, apart, run, warnings);
+    } catch (const NotInOneRow& failed) {
+      // What cannot part or meet in one row does so in two, at the cost of some distortion (paper,
+      // appendix A). Never twice for the same saddles, so this ends.
+      apart.insert(apart.end(), failed.saddles.begin(), failed.saddles.end());
+    }
   }
-  if (warnings) *warnings = peeling.warnings();
-  KnitGraph graph = peeling.take_graph([&](double fraction) {
-    report(run, share_of_peeling + (1.0 - share_of_peeling) * fraction);
-  });
   report(run, 1.0);
-  return graph;
+  return std::move(*graph);
 }
 
 }  // namespace meshknit

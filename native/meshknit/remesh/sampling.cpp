@@ -51,14 +51,14 @@ std::vector<NodeImage> images_on_next(const ActiveCycle& active, int source,
 
 std::vector<double> sample_next_row(const ActiveCycle& active, const NextCycle& next,
                                     const std::vector<NodeImage>& images, double stitch_width,
-                                    int fewest) {
+                                    int fewest, int unit) {
   constexpr double turn = 6.28318530717958647692;
   std::vector<char> single;
   for (const ActiveNode& node : active.nodes) single.push_back(node.single);
   const auto [least, most] = linkable_counts(single);
   const double length = next.cycle.length();
-  const int count = std::clamp(static_cast<int>(std::lround(length / stitch_width)),
-                               std::min(std::max(fewest, least), most), most);
+  const int wanted = unit * static_cast<int>(std::lround(length / (unit * stitch_width)));
+  const int count = std::clamp(wanted, std::min(std::max(fewest, least), most), most);
   const double spacing = length / count;
   double x = 0.0, y = 0.0;
   for (const NodeImage& image : images) {

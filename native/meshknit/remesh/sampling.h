@@ -19,9 +19,9 @@ std::vector<NodeImage> images_on_next(const ActiveCycle& active, int source,
 
 /// Places of the next row's nodes along the next cycle: as many as its length asks for, clamped
 /// so that linking is always possible (paper, 3.2.3), evenly spread, and turned so that they
-/// face the active nodes. At least `fewest` where linking allows.
+/// face the active nodes. At least `fewest` where linking allows, and a multiple of `unit`.
 std::vector<double> sample_next_row(const ActiveCycle& active, const NextCycle& next,
                                     const std::vector<NodeImage>& images, double stitch_width,
-                                    int fewest);
+                                    int fewest, int unit = 1);
 
 }  // namespace meshknit

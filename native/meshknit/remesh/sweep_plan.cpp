@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "meshknit/remesh/fast_marching.h"
+#include "meshknit/remesh/joined_saddles.h"
 
 namespace meshknit {
 namespace {
@@ -18,22 +19,20 @@ constexpr double clear_of_saddle = 0.5;
 // Crossings keep this far from an edge's ends.
 constexpr double least_fraction = 0.02;
 
-double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                           const Eigen::Vector3d& b) {
-  const Eigen::Vector3d ab = b - a;
-  const double squared = ab.squaredNorm();
-  const double t = squared > 0.0 ? std::clamp((p - a).dot(ab) / squared, 0.0, 1.0) : 0.0;
-  return (a + t * ab - p).norm();
+void name_regions(SweepPlan& plan) {
+  const ReebGraph& reeb = plan.reeb;
+  plan.region = reeb.arc_of_vertex;
+  for (std::size_t e = 0; e < reeb.events.size(); ++e)
+    for (const int v : reeb.events[e].vertices)
+      plan.region[v] = plan.event_region(static_cast<int>(e));
+  for (const ReebArc& arc : reeb.arcs) plan.end_level.push_back(reeb.events[arc.to].time);
+  plan.joined.assign(reeb.events.size(), 0);
 }
 
 void divide(const PeelState& state, double row_height, SweepPlan& plan) {
   const ReebGraph& reeb = plan.reeb;
-  plan.region = reeb.arc_of_vertex;
   plan.from_saddle.assign(plan.region.size(), infinity);
   plan.saddle_radius = clear_of_saddle * row_height;
-  for (std::size_t e = 0; e < reeb.events.size(); ++e)
-    for (const int v : reeb.events[e].vertices)
-      plan.region[v] = plan.event_region(static_cast<int>(e));
   const auto anywhere = [](int) { return true; };
   for (std::size_t e = 0; e < reeb.events.size(); ++e) {
     const ReebEvent& event = reeb.events[e];
@@ -60,7 +59,9 @@ void divide(const PeelState& state, double row_height, SweepPlan& plan) {
       for (const auto w : state.mesh.vv_range(TriangleMesh::VertexHandle(near[k]))) {
         const int v = w.idx();
         if (seen[v] || !(distance[v] < plan.saddle_radius)) continue;
-        if (!is_one_of(event.above, v) && !is_one_of(event.below, v)) continue;
+        if (plan.region[v] != plan.event_region(number) && !is_one_of(event.above, v) &&
+            !is_one_of(event.below, v))
+          continue;
         seen[v] = 1;
         near.push_back(v);
         plan.region[v] = plan.event_region(number);
@@ -77,7 +78,7 @@ void measure_to_end(const PeelState& state, double row_height, SweepPlan& plan) 
     for (const int inner : c) {
       const int arc = plan.region[inner];
       if (arc >= arcs) continue;
-      const double end = plan.reeb.events[plan.reeb.arcs[arc].to].time;
+      const double end = plan.end_level[arc];
       const auto beyond = [&](int v) {
         return plan.region[v] != arc &&
                (state.time[v] >= end ||
@@ -109,12 +110,15 @@ void measure_to_end(const PeelState& state, double row_height, SweepPlan& plan) 
 double SweepPlan::end_fraction(const PeelState& state, int u, int w) const {
   const int arcs = static_cast<int>(reeb.arcs.size());
   double fraction = 1.0;
-  if (region[w] < arcs) {
-    const double level = reeb.events[reeb.arcs[region[w]].from].time;
+  const bool at_event = region[w] >= arcs;
+  const double d_u = from_saddle[u], d_w = from_saddle[w];
+  if (!at_event || (joined[region[w] - arcs] != 0 && !(d_w < saddle_radius))) {
+    const double level = region[u] < arcs ? end_level[region[u]]
+                         : at_event       ? state.time[w]
+                                          : reeb.events[reeb.arcs[region[w]].from].time;
     if (state.time[u] < level && level < state.time[w])
       fraction = (level - state.time[u]) / (state.time[w] - state.time[u]);
   } else if (!reeb.events[region[w] - arcs].is_end()) {
-    const double d_u = from_saddle[u], d_w = from_saddle[w];
     fraction = std::isfinite(d_u) && d_u > saddle_radius && d_w < saddle_radius
                    ? (d_u - saddle_radius) / (d_u - d_w)
                    : 0.5;
@@ -122,10 +126,13 @@ double SweepPlan::end_fraction(const PeelState& state, int u, int w) const {
   return std::clamp(fraction, least_fraction, 1.0);
 }
 
-SweepPlan plan_sweep(const PeelState& state, double row_height, RunContext* run) {
+SweepPlan plan_sweep(const PeelState& state, double row_height, const std::vector<int>& apart,
+                     RunContext* run) {
   SweepPlan plan;
   plan.reeb = reeb_graph(state.mesh, state.time, run);
   report(run, 0.0);
+  name_regions(plan);
+  join_near_saddles(state, row_height, apart, plan);
   divide(state, row_height, plan);
   report(run, 0.0);
   measure_to_end(state, row_height, plan);

@@ -21,6 +21,9 @@ struct SweepPlan {
   std::vector<double> to_end;
   std::vector<std::vector<int>> vertices_of_region;
 
+  std::vector<double> end_level;  ///< per arc: the time of the level set where it ends
+  std::vector<char> joined;       ///< per event: several saddles in one (joined_saddles.h)
+
   int event_region(int event) const { return static_cast<int>(reeb.arcs.size()) + event; }
   int regions() const { return event_region(static_cast<int>(reeb.events.size())); }
 
@@ -36,8 +39,10 @@ struct SweepPlan {
 /// How far before its end the distance of a tube is known: this many rows.
 inline constexpr double planned_rows = 40.0;
 
+/// `apart`: fine vertices of saddles that are not to be joined with others.
 /// Requires: state.mesh, .time and .edge_length; one time on each boundary.
 /// Throws: Cancelled.
-SweepPlan plan_sweep(const PeelState& state, double row_height, RunContext* run = nullptr);
+SweepPlan plan_sweep(const PeelState& state, double row_height,
+                     const std::vector<int>& apart = {}, RunContext* run = nullptr);
 
 }  // namespace meshknit

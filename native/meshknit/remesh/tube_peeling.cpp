@@ -51,7 +51,10 @@ int partner_of(const std::vector<Link>& links, int next) {
 }  // namespace
 
 TubePeeling::TubePeeling(Peel& peel, int arc, ActiveCycle active, int fewest)
-    : peel_(peel), arc_(arc), active_(std::move(active)), fewest_(fewest) {}
+    : peel_(peel), arc_(arc), active_(std::move(active)), fewest_(fewest) {
+  const int end = peel.plan.reeb.arcs[arc].to;
+  if (peel.plan.reeb.events[end].below.size() > 2) last_unit_ = 2;
+}
 
 void TubePeeling::resume() {
   peel_.limits.close_all();
@@ -64,6 +67,7 @@ bool TubePeeling::peel_row() {
       rest_of_tube(peel_.state, peel_.plan, arc_, active_.cycle, row_height());
   if (whole_ && rest.mean < 0.5 * peel_.row_height && rest.most < peel_.row_height)
     return false;
+  if (rest.near) unit_ = last_unit_;
   const bool last = rest.near && rest.rows == 1;
   if (rest.near && even_out(rest)) return true;
   if (last) {
@@ -106,7 +110,7 @@ TubePeeling::Candidate TubePeeling::candidate(const RowLevel& level) {
   Candidate c{level, {}, {}, {}};
   c.next = std::move(cycles.front());
   c.images = images_on_next(active_, 0, c.next);
-  c.row.place = sample_next_row(active_, c.next, c.images, peel_.options.stitch_width, fewest_);
+  c.row.place = sample_next_row(active_, c.next, c.images, peel_.options.stitch_width, fewest_, unit_);
   for (const double place : c.row.place)
     c.row.time.push_back(c.next.cycle.value(c.next.cycle.at(place), c.next.time));
   return c;

@@ -59,6 +59,8 @@ class TubePeeling {
   int arc_;
   ActiveCycle active_;
   int fewest_;
+  int unit_ = 1;        // closed rows have multiples of this many nodes
+  int last_unit_ = 1;   // near the end: tubes that meet in one row lie evenly on both beds
   double lean_ = 1.0;   // of the last rows
   bool whole_ = true;   // the active cycle is one closed row
   bool ended_ = false;  // the last row is knit

@@ -133,7 +133,7 @@ TEST_P(EveryExampleGraph, LinksRowsOneToOneWhereTubesPartAndMeet) {
     int junctions = 0;
     for (std::size_t row = 0; row < joined.size(); ++row) {
       if (joined[row].size() < 2) continue;
-      ++junctions;
+      junctions += static_cast<int>(joined[row].size()) - 1;
       std::map<int, int> columns_of;  // of this row's nodes and of their partners
       for (const auto& column : graph.columns)
         if (row_of[column[side]] == static_cast<int>(row)) {
