@@ -1,5 +1,6 @@
 #include "meshknit/pipeline/pipeline.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "meshknit/core/error.h"
@@ -62,8 +63,10 @@ CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>&
   return result;
 }
 
-StitchTrace build_trace(const KnitGraph& graph, RunContext* run) {
-  StitchTrace trace = trace_knit_graph(graph, run);
+StitchTrace build_trace(const KnitGraph& graph, const MachineProfile& profile,
+                        RunContext* run) {
+  const int yarns = static_cast<int>(carriers_for_yarn(profile).size());
+  StitchTrace trace = trace_knit_graph(graph, std::max(1, yarns), run);
   keep_promise("Tracing", check_trace(graph, trace));
   return trace;
 }

@@ -31,7 +31,9 @@ struct CheckedGraph {
 CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>& time,
                               const RemeshOptions& options, RunContext* run = nullptr);
 
-StitchTrace build_trace(const KnitGraph& graph, RunContext* run = nullptr);
+/// With no more yarns at once than the machine has carriers for, if an order of rows allows that.
+StitchTrace build_trace(const KnitGraph& graph, const MachineProfile& profile,
+                        RunContext* run = nullptr);
 
 Schedule build_schedule(const StitchTrace& trace, const MachineProfile& profile,
                         RunContext* run = nullptr);

@@ -12,8 +12,8 @@
 namespace meshknit {
 namespace {
 
-std::vector<TubeEvent> order_of(const KnitGraph& graph) {
-  return find_event_order(graph, find_tubes(graph));
+std::vector<TubeEvent> order_of(const KnitGraph& graph, int most_tubes = 9) {
+  return find_event_order(graph, find_tubes(graph), most_tubes);
 }
 
 TEST(EventOrder, TheOrderOfTimeIsKeptWhereNothingCrosses) {

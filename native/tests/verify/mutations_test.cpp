@@ -48,7 +48,7 @@ GoodProgram knitted(const std::string& shape, double size) {
   const TimedShape timed = shape_named(shape, size);
   GoodProgram good;
   good.name = shape;
-  good.trace = build_trace(build_knit_graph(timed.surface, timed.time, {}).graph);
+  good.trace = build_trace(build_knit_graph(timed.surface, timed.time, {}).graph, profile);
   const Schedule schedule = build_schedule(good.trace, profile);
   good.lines = KnitoutLines(build_knitout(good.trace, schedule, profile).text).lines();
   return good;
