@@ -68,7 +68,7 @@ void knit_waste_before(ProgramBuilder& program, const MachineProfile& profile,
       program.tuck(round.side(i), needle_of(round.hooks[i]), profile.waste_carrier, kWaste);
   drop_all(program, anchors);
   knit_rounds(program, profile.waste_carrier, round,
-              profile.waste_rounds + profile.take_down_rounds);
+              std::max(profile.waste_rounds, profile.take_down_rounds));
   take_out(program, profile, profile.waste_carrier);
   if (!profile.draw_carrier.empty()) knit_draw_thread(program, profile, round, room);
 }

@@ -33,7 +33,8 @@ MachineProfile shima_swg091n2() {
   p.settings = {{"x-stitch-number", 1, 120},
                 {"x-speed-number", 0, 15},
                 {"x-sub-roller-number", 0, 31},
-                {"x-presser-mode"}};
+                {"x-presser-mode"},
+                {"stitch"}};
   return p;
 }
 
@@ -56,7 +57,7 @@ MachineProfile kniterate() {
   p.quarter_pitch = 0.5;
   p.waste_rounds = 10;
   // Nothing holds the fabric before it reaches the rollers, after some 70 courses.
-  p.take_down_rounds = 60;
+  p.take_down_rounds = 70;
   p.take_down_width = 20;
   p.tucks_beside_knits = false;
   p.transfers_in_halves = true;
@@ -71,7 +72,8 @@ MachineProfile kniterate() {
                 {"x-carrier-spacing", 0, 10},
                 {"x-carrier-stopping-distance", 0, 10},
                 {"x-xfer-style"},
-                {"x-end-pass"}};
+                {"x-end-pass"},
+                {"stitch"}};
   p.first_settings = {"x-stitch-number 5", "x-xfer-stitch-number 3", "x-speed-number 300",
                       "x-roller-advance 300"};
   return p;

@@ -33,7 +33,7 @@ struct MachineProfile {
   int max_stretch = 5;       ///< needles between yarn neighbours while both are held
   int max_float = 7;         ///< needles between a new loop and the one before on its carrier
   int waste_rounds = 10;     ///< plain rounds of waste before and after the object
-  int take_down_rounds = 0;  ///< further ones before it, until fabric reaches the rollers
+  int take_down_rounds = 0;  ///< that it takes before, if more, till fabric reaches the rollers
   int take_down_width = 0;   ///< needles that fabric must span for the rollers to hold it
   bool tucks_beside_knits = true;        ///< one bed can do both in one pass
   bool transfers_in_halves = false;      ///< every second loop in one pass, the rest in another
