@@ -272,4 +272,12 @@ std::vector<KcodePass> plan_kcode(const Program& program, const MachineProfile& 
   return Planner(program, profile).run();
 }
 
+double kcode_minutes(const std::vector<KcodePass>& sweeps, const MachineProfile& profile) {
+  double seconds = 0.0;
+  for (const KcodePass& sweep : sweeps)
+    seconds += profile.seconds_per_turn +
+               (sweep.carriage_right - sweep.carriage_left) / profile.needles_per_second;
+  return seconds / 60.0;
+}
+
 }  // namespace meshknit

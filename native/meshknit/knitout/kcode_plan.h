@@ -18,4 +18,7 @@ namespace meshknit {
 /// same loops as in the program.
 std::vector<KcodePass> plan_kcode(const Program& program, const MachineProfile& profile);
 
+/// How long the machine takes for them, by the profile's constants.
+double kcode_minutes(const std::vector<KcodePass>& sweeps, const MachineProfile& profile);
+
 }  // namespace meshknit

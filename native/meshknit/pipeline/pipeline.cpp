@@ -4,10 +4,13 @@
 #include <cmath>
 
 #include "meshknit/core/error.h"
+#include "meshknit/knitout/kcode_plan.h"
 #include "meshknit/knitout/knitout_writer.h"
+#include "meshknit/pipeline/run_sheet.h"
 #include "meshknit/schedule/schedule_checks.h"
 #include "meshknit/tracing/trace.h"
 #include "meshknit/tracing/trace_checks.h"
+#include "meshknit/verify/kcode_check.h"
 
 namespace meshknit {
 namespace {
@@ -43,6 +46,14 @@ void warn_of_poor_fit(CheckedGraph& result) {
     if (std::abs(graph.column_lengths[i] / (2.0 * graph.stitch_height) - 1.0) > 0.2)
       problem.elements.nodes.push_back(graph.columns[i][1]);
   result.check.problems.push_back(std::move(problem));
+}
+
+void add_kcode(const Program& program, const MachineProfile& profile, CheckedKnitout& result) {
+  const std::vector<KcodePass> sweeps = plan_kcode(program, profile);
+  result.kcode = write_kcode(sweeps, profile.needles);
+  result.kcode_sweeps = static_cast<int>(sweeps.size());
+  result.cost.estimated_minutes = kcode_minutes(sweeps, profile);
+  keep_promise("The .kc file", check_kcode(result.kcode, result.text, profile));
 }
 
 }  // namespace
@@ -86,6 +97,8 @@ CheckedKnitout build_knitout(const StitchTrace& trace, const Schedule& schedule,
   result.check = verify_knitout(result.text, profile, trace, run);
   keep_promise("The machine file", result.check.problems);
   result.cost = measure_program(program, profile);
+  if (profile.takes_kcode) add_kcode(program, profile, result);
+  result.sheet = write_run_sheet(trace, result, profile);
   return result;
 }
 

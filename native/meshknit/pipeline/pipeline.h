@@ -38,11 +38,15 @@ StitchTrace build_trace(const KnitGraph& graph, const MachineProfile& profile,
 Schedule build_schedule(const StitchTrace& trace, const MachineProfile& profile,
                         RunContext* run = nullptr);
 
-/// A machine file that the simulated machine has knitted and found equal to the trace.
+/// A machine file that the simulated machine has knitted and found equal to the trace; for machines
+/// that take .kc files that, too, read back and found to make the same loops.
 struct CheckedKnitout {
   std::string text;
-  VerifyReport check;  ///< ok
-  ProgramCost cost;
+  std::string kcode;     ///< empty if the machine takes none
+  int kcode_sweeps = 0;  ///< of the carriage
+  std::string sheet;     ///< for the person at the machine (run_sheet.h)
+  VerifyReport check;    ///< ok
+  ProgramCost cost;      ///< with a .kc file the minutes are those of all its sweeps
 };
 CheckedKnitout build_knitout(const StitchTrace& trace, const Schedule& schedule,
                              const MachineProfile& profile, RunContext* run = nullptr);
