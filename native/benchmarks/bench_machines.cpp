@@ -23,9 +23,10 @@ void knit(const std::string& name, double size, const MachineProfile& machine) {
     const StitchTrace trace = build_trace(graph.graph, machine);
     const Schedule schedule = build_schedule(trace, machine);
     const CheckedKnitout file = build_knitout(trace, schedule, machine);
-    std::printf("%8zu %6d %9d %4.0f %5d %7.0f %7.2f %4d\n", trace.stitches.size(),
-                file.cost.passes, file.cost.transfers, file.cost.max_racking, trace.yarns,
-                file.cost.estimated_minutes, seconds() - begun, file.check.warnings);
+    std::printf("%8zu %6d %6d %9d %4.0f %5d %7.0f %7.2f %4d\n", trace.stitches.size(),
+                file.cost.passes, file.kcode_sweeps, file.cost.transfers, file.cost.max_racking,
+                trace.yarns, file.cost.estimated_minutes, seconds() - begun,
+                file.check.warnings);
   } catch (const NotKnittable& refused) {
     const Problem& reason = refused.problems().front();
     std::printf("%s: %s %s\n", reason.code.c_str(), reason.message.c_str(),
@@ -35,7 +36,8 @@ void knit(const std::string& name, double size, const MachineProfile& machine) {
 
 void measure(int argc, char** argv) {
   std::printf(
-      "shape             size machine          stitches passes transfers rack yarns minutes "
+      "shape             size machine          stitches passes sweeps transfers rack yarns "
+      "minutes "
       "seconds warn\n");
   for (const std::string& name : example_shape_names()) {
     if (argc > 1 && name != argv[1]) continue;

@@ -41,6 +41,7 @@ struct ProgramCost {
   int passes = 0;      ///< carriage_passes
   int transfers = 0;
   double max_racking = 0.0;
+  std::vector<std::string> carriers;  ///< that make loops, in the machine's order
   int lowest_needle = 0, highest_needle = 0;  ///< both 0 without needle operations
   double estimated_minutes = 0.0;             ///< passes * turn + travelled needles / speed
 };

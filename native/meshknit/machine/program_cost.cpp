@@ -32,6 +32,13 @@ ProgramCost measure_program(const Program& program, const MachineProfile& profil
       if (i.carriers.empty()) ++cost.transfers;
     }
   }
+  for (const std::string& carrier : profile.carriers)
+    if (std::any_of(program.instructions.begin(), program.instructions.end(),
+                    [&](const Instruction& i) {
+                      return (i.op == Op::knit || i.op == Op::tuck || i.op == Op::split) &&
+                             std::count(i.carriers.begin(), i.carriers.end(), carrier) > 0;
+                    }))
+      cost.carriers.push_back(carrier);
   const double seconds = cost.passes * profile.seconds_per_turn +
                          static_cast<double>(travelled) / profile.needles_per_second;
   cost.estimated_minutes = seconds / 60.0;

@@ -11,6 +11,7 @@
 #include "meshknit/tracing/trace.h"
 #include "meshknit/tracing/trace_checks.h"
 #include "meshknit/verify/kcode_check.h"
+#include "meshknit/verify/machine_rules.h"
 
 namespace meshknit {
 namespace {
@@ -46,6 +47,19 @@ void warn_of_poor_fit(CheckedGraph& result) {
     if (std::abs(graph.column_lengths[i] / (2.0 * graph.stitch_height) - 1.0) > 0.2)
       problem.elements.nodes.push_back(graph.columns[i][1]);
   result.check.problems.push_back(std::move(problem));
+}
+
+// A profile's own settings may be wrong where people write it.
+void require_settings(const MachineProfile& profile) {
+  ProblemLog log;
+  for (const std::string& setting : profile.first_settings) {
+    Instruction instruction;
+    instruction.op = Op::extension;
+    instruction.text = setting;
+    check_setting(instruction, profile, log);
+  }
+  if (log.errors() > 0)
+    throw InvalidInput("the machine's first settings: " + log.problems().front().message);
 }
 
 void add_kcode(const Program& program, const MachineProfile& profile, CheckedKnitout& result) {
@@ -91,6 +105,7 @@ Schedule build_schedule(const StitchTrace& trace, const MachineProfile& profile,
 
 CheckedKnitout build_knitout(const StitchTrace& trace, const Schedule& schedule,
                              const MachineProfile& profile, RunContext* run) {
+  require_settings(profile);
   const Program program = emit_program(trace, schedule, profile, run);
   CheckedKnitout result;
   result.text = write_knitout(program);

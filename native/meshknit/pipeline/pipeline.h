@@ -48,6 +48,7 @@ struct CheckedKnitout {
   VerifyReport check;    ///< ok
   ProgramCost cost;      ///< with a .kc file the minutes are those of all its sweeps
 };
+/// Throws, too: InvalidInput if the profile begins programs with settings that its machine has not.
 CheckedKnitout build_knitout(const StitchTrace& trace, const Schedule& schedule,
                              const MachineProfile& profile, RunContext* run = nullptr);
 

@@ -183,9 +183,9 @@ class Sheet {
     const auto count =
         std::count_if(all.begin(), all.end(), [&](const Problem& p) { return p.code == code; });
     const Problem& first = *find_problem(all, code);
-    line("  " + first.message +
-         (count > 1 ? " And " + std::to_string(count - 1) + " more such places." : "") + " " +
-         first.remedy);
+    const int more = static_cast<int>(count) - 1;
+    line("  " + first.message + (more > 0 ? " And " + several(more, "more place") + "." : "") +
+         " " + first.remedy);
   }
 
   const StitchTrace& trace_;
