@@ -1,10 +1,12 @@
-// Every example on every machine, in stitches of half, once and twice the default size: what the file
+// Every example and every model at hand on every machine, in stitches of half, once and twice the default size: what the file
 // costs, or why there is none.
 
 #include <cstdio>
+#include <optional>
 
 #include "meshknit/core/error.h"
 #include "meshknit/pipeline/pipeline.h"
+#include "models.h"
 #include "shapes.h"
 #include "table.h"
 
@@ -12,13 +14,13 @@ namespace {
 
 using namespace meshknit;
 
-void knit(const std::string& name, double size, const MachineProfile& machine) {
+void knit(const std::string& name, const ExampleShape& drawn, double size,
+          const MachineProfile& machine) {
   std::printf("%-18s %4.1f %-16s ", name.c_str(), size, machine.name.c_str());
   try {
     const double begun = seconds();
     const RemeshOptions options = gauge(size);
-    const TimedShape shape =
-        timed(opened(example_shape(name), options.stitch_width), options.stitch_width);
+    const TimedShape shape = timed(opened(drawn, options.stitch_width), options.stitch_width);
     const CheckedGraph graph = build_knit_graph(shape.surface, shape.time, options);
     const StitchTrace trace = build_trace(graph.graph, machine);
     const Schedule schedule = build_schedule(trace, machine);
@@ -34,16 +36,22 @@ void knit(const std::string& name, double size, const MachineProfile& machine) {
   }
 }
 
+void knit_everywhere(const std::string& name, const ExampleShape& drawn) {
+  for (const std::string& machine : machine_profile_names())
+    for (const double size : {0.5, 1.0, 2.0}) knit(name, drawn, size, machine_profile(machine));
+}
+
 void measure(int argc, char** argv) {
   std::printf(
       "shape             size machine          stitches passes sweeps transfers rack yarns "
       "minutes "
       "seconds warn\n");
-  for (const std::string& name : example_shape_names()) {
-    if (argc > 1 && name != argv[1]) continue;
-    for (const std::string& machine : machine_profile_names())
-      for (const double size : {0.5, 1.0, 2.0}) knit(name, size, machine_profile(machine));
-  }
+  const auto wanted = [&](const std::string& name) { return argc < 2 || name == argv[1]; };
+  for (const std::string& name : example_shape_names())
+    if (wanted(name)) knit_everywhere(name, example_shape(name));
+  for (const std::string& name : model_names())
+    if (const auto found = wanted(name) ? model(name) : std::nullopt)
+      knit_everywhere(name, *found);
 }
 
 }  // namespace

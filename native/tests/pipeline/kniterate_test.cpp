@@ -83,14 +83,15 @@ TEST(Kniterate, MoreLegsThanCarriersAreKnitInTurn) {
 TEST(Kniterate, WhatDoesNotFitIsRefusedWithTheLargestScale) {
   const auto refusal = [](double size) -> std::string {
     try {
-      knit(graph_of("straight_tube", size));
+      const TimedShape ring = timed(straight_tube(30.0 * size, 20.0));
+      knit(build_knit_graph(ring.surface, ring.time, {}).graph);
       return "";
     } catch (const NotKnittable& refused) {
       const Problem* wide = find_problem(refused.problems(), "too-wide");
       return wide ? wide->message + " " + wide->remedy : "another reason";
     }
   };
-  // The tube is 2 pi 30 / 3.66 = 51.5 loops round: five times as large, 258.
+  // A ring of radius 30 is 2 pi 30 / 3.66 = 51.5 loops round: five times as wide, 258.
   const std::string text = refusal(5.0);
   EXPECT_NE(text.find("room for 234"), std::string::npos) << text;
   std::smatch found;
