@@ -285,8 +285,9 @@ def test_the_line_names_marks_and_options(tube, write):
 
 def test_the_report_is_written_though_another_output_is_not(tmp_path):
     options = SimpleNamespace(graph=None, stitches=None, output=str(tmp_path / ("x" * 300)))
-    options.report = str(tmp_path / "report.json")
-    outcome = SimpleNamespace(results={"emit": SimpleNamespace(value=SimpleNamespace(text=""))})
+    options.report, options.kcode = str(tmp_path / "report.json"), None
+    files = SimpleNamespace(text="", kcode="", sheet="")
+    outcome = SimpleNamespace(results={"emit": SimpleNamespace(value=files)})
     with pytest.raises(headless.UsageError, match="xxx"):
         headless.write_files(options, outcome, {"ok": True})
     assert json.loads((tmp_path / "report.json").read_text()) == {"ok": True}
@@ -307,7 +308,8 @@ def test_the_demo_leaves_its_files_and_a_summary(tmp_path):
     assert done.returncode == 0, done.stderr
     left = {path.name for path in (tmp_path / "demo").iterdir()}
     assert left == {
-        f"sock.{end}" for end in ("blend", "k", "report.json", "graph.json", "stitches.json")
+        f"sock.{end}"
+        for end in ("blend", "k", "k.txt", "report.json", "graph.json", "stitches.json")
     }
     for word in ("stitches", "short", "passes", "needles", "minutes", "passed", "seconds"):
         assert word in done.stdout
