@@ -2,8 +2,8 @@
 
     blender --background --factory-startup --python addon/meshknit/demo.py -- FOLDER
 
-Leaves sock.blend, sock.k, sock.report.json, sock.graph.json, sock.stitches.json and sock.png in
-FOLDER and prints a summary; `-- FOLDER --no-picture` leaves out the picture. With
+Leaves sock.blend, sock.k, sock.k.txt, sock.report.json, sock.graph.json, sock.stitches.json and
+sock.png in FOLDER and prints a summary; `-- FOLDER --no-picture` leaves out the picture. With
 
     blender --factory-startup --python addon/meshknit/demo.py -- --gui
 
@@ -90,7 +90,7 @@ def summary(report, folder):
         ("check", f"{verdict}: {check['loops']} loops and {check['edges']} edges as traced"),
         ("seconds", ", ".join(f"{s} {value:.2f}" for s, value in report["seconds"].items())),
         ("memory", f"{report.get('peak_mb', 0):.0f} MB at most"),
-        ("files", f"{folder}/sock.k .report.json .graph.json .stitches.json .blend .png"),
+        ("files", f"{folder}/sock.k .k.txt .report.json .graph.json .stitches.json .blend .png"),
     )
     return "\n".join(["The sock:"] + [f"  {name:<10} {text}" for name, text in lines])
 

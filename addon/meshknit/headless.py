@@ -13,7 +13,7 @@ import numpy as np
 from . import names, native, registration
 from .core.batch_options import parse_options
 from .core.errors import UsageError
-from .core.files import graph_text, report_text, stitches_text, write_whole
+from .core.files import graph_text, machine_files, report_text, stitches_text, write_whole
 from .core.machines import make_profile, read_machine
 from .core.marks import read_marks, resolve_marks, resolve_openings
 from .core.mesh_files import read_mesh_file
@@ -59,7 +59,9 @@ def run(options):
     with np.errstate(over="ignore", invalid="ignore"):  # the check finds what is not finite
         model = _read_model(options)
     settings = _settings(options, bpy.context.scene)
-    make_profile(library, settings.machine)  # a wrong profile file is found before the work
+    profile = make_profile(library, settings.machine)  # a wrong file is found before the work
+    if options.kcode is not None and not profile.takes_kcode:
+        raise UsageError(f"--kcode goes with --machine kniterate, not {profile.name}")
     with _progress(library, options.quiet) as run_context:
         known = {}
         if marks is not None:
@@ -144,17 +146,18 @@ def _object_of_scene(name):
 def write_files(options, outcome, report):
     """Whatever the run got to; the machine file only if its check passed, which `emit` says."""
     values = {stage: result.value for stage, result in outcome.results.items()}
-    files = (
-        (options.graph, "graph", lambda: graph_text(values["graph"])),
-        (options.stitches, "trace", lambda: stitches_text(values["trace"])),
-        (options.output, "emit", lambda: values["emit"].text),
-        (options.report, None, lambda: report_text(report)),
-    )
+    files = [(options.report, report_text(report))]
+    if "graph" in values and options.graph is not None:
+        files.append((options.graph, graph_text(values["graph"])))
+    if "trace" in values and options.stitches is not None:
+        files.append((options.stitches, stitches_text(values["trace"])))
+    if "emit" in values:
+        files += machine_files(values["emit"], options.output, options.kcode)
     failures = []
-    for path, stage, text in files:
-        if path is not None and (stage is None or stage in values):
+    for path, text in files:
+        if path is not None:
             try:
-                write_whole(path, text())
+                write_whole(path, text)
             except UsageError as error:  # the other files, above all the report, are still wanted
                 failures.append(str(error))
     if failures:

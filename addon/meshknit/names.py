@@ -13,7 +13,10 @@ PROPERTIES = "meshknit"
 STAGES = ("check", "time", "graph", "trace", "schedule", "emit")
 
 # Machine profiles built into the library, first the default.
-MACHINES = (("shima_swg091n2", "Shima Seiki SWG091N2", "V-bed, 15 gauge, 540 needles", 0),)
+MACHINES = (
+    ("shima_swg091n2", "Shima Seiki SWG091N2", "V-bed, 15 gauge, 540 needles", 0),
+    ("kniterate", "Kniterate", "V-bed, 7 gauge, 252 needles", 1),
+)
 
 # Where the millimetres come from (numbers are stored in files).
 SIZE_MODES = (

@@ -17,7 +17,10 @@ from meshknit import names, native
     "arguments, reason",
     [
         (["--auto"], "not supported yet"),
-        (["--kcode", "x.kc"], "not supported yet"),
+        (["--kcode", ""], "--kcode"),
+        (["--until", "graph", "--kcode", "x.kc"], "needs the stage emit"),
+        (["--output", "x.k", "--kcode", "x.k"], "another option"),
+        (["--output", "x.k", "--report", "x.k.txt"], "another option"),
         (["--scale", "0"], "above 0"),
         (["--size", "-3"], "above 0"),
         (["--scale", "nan"], "above 0"),
@@ -62,9 +65,7 @@ def test_a_wrong_profile_file_is_refused(tmp_path, text):
         read_machine(str(tmp_path / "mine.json"))
 
 
-def test_unknown_and_later_machines_are_refused():
-    with pytest.raises(UsageError, match="not supported yet"):
-        read_machine("kniterate")
+def test_unknown_machines_are_refused():
     with pytest.raises(UsageError, match="shima_swg091n2"):
         read_machine("loom")
     with pytest.raises(UsageError, match="shima_swg091n2"):
@@ -88,6 +89,8 @@ def test_unknown_and_later_machines_are_refused():
         *[("carriers", ("1", "2", v)) for v in ("3,4", "3;", "3\n", ("3",))],
         *[("waste_carrier", v) for v in ("11", 1, "")],
         *[("yarn_carrier", v) for v in ("1", "11")],
+        *[("draw_carrier", v) for v in ("11", 1, "1", "2")],
+        *[("first_settings", v) for v in ("x-end-pass", ("rack 3",), ("x-a;b",), ("x-a 1\n",))],
         ("has_sliders", 1),
         ("machine_header", "SWG\nknit"),
         ("__class__", 1),

@@ -192,8 +192,7 @@ def test_a_machine_that_is_too_narrow_says_how_far_to_scale(tube, tube_marks, wr
         (["--input", "{folder}/tube.obj", "--marks", "{folder}/noise.obj"], "marks"),
         (["--input", "{folder}/tube.obj", "--marks", "{folder}/openings.json"], "openings[0]"),
         (["--input", "{folder}/tube.obj", "--auto"], "not supported yet"),
-        (["--input", "{folder}/tube.obj", "--kcode", "x.kc"], "not supported yet"),
-        (["--input", "{folder}/tube.obj", "--machine", "kniterate"], "not supported yet"),
+        (["--input", "{folder}/tube.obj", "--kcode", "{folder}/x.kc"], "--machine kniterate"),
         (["--input", "{folder}/tube.obj", "--machine", "loom"], "loom"),
         (["--input", "{folder}/tube.obj", "--machine", "{folder}/typo.json"], "nedles"),
         (["--colour"], "colour"),
@@ -286,8 +285,9 @@ def test_the_line_names_marks_and_options(tube, write):
 
 def test_the_report_is_written_though_another_output_is_not(tmp_path):
     options = SimpleNamespace(graph=None, stitches=None, output=str(tmp_path / ("x" * 300)))
-    options.report = str(tmp_path / "report.json")
-    outcome = SimpleNamespace(results={"emit": SimpleNamespace(value=SimpleNamespace(text=""))})
+    options.report, options.kcode = str(tmp_path / "report.json"), None
+    files = SimpleNamespace(text="", kcode="", sheet="")
+    outcome = SimpleNamespace(results={"emit": SimpleNamespace(value=files)})
     with pytest.raises(headless.UsageError, match="xxx"):
         headless.write_files(options, outcome, {"ok": True})
     assert json.loads((tmp_path / "report.json").read_text()) == {"ok": True}
@@ -308,7 +308,8 @@ def test_the_demo_leaves_its_files_and_a_summary(tmp_path):
     assert done.returncode == 0, done.stderr
     left = {path.name for path in (tmp_path / "demo").iterdir()}
     assert left == {
-        f"sock.{end}" for end in ("blend", "k", "report.json", "graph.json", "stitches.json")
+        f"sock.{end}"
+        for end in ("blend", "k", "k.txt", "report.json", "graph.json", "stitches.json")
     }
     for word in ("stitches", "short", "passes", "needles", "minutes", "passed", "seconds"):
         assert word in done.stdout

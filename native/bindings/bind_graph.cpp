@@ -169,11 +169,11 @@ void bind_graph(py::module_& m) {
           "The report's `trace` entry.");
   m.def(
       "trace",
-      [](const CheckedGraph& graph, RunContext* run) {
+      [](const CheckedGraph& graph, const MachineProfile& profile, RunContext* run) {
         py::gil_scoped_release release;
-        return std::make_unique<StitchTrace>(build_trace(graph.graph, run));
+        return std::make_unique<StitchTrace>(build_trace(graph.graph, profile, run));
       },
-      py::arg("graph"), py::arg("run") = nullptr);
+      py::arg("graph"), py::arg("profile"), py::arg("run") = nullptr);
 }
 
 }  // namespace meshknit

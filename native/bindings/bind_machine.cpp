@@ -18,13 +18,13 @@ py::dict schedule_report(const Schedule& s) {
   return report;
 }
 
-py::dict program_report(const ProgramCost& c, const std::vector<std::string>& carriers) {
+py::dict program_report(const ProgramCost& c) {
   py::dict report;
   report["operations"] = c.operations;
   report["passes"] = c.passes;
   report["transfers"] = c.transfers;
   report["max_racking"] = c.max_racking;
-  report["carriers"] = carriers;
+  report["carriers"] = c.carriers;
   report["needles"] = std::vector<int>{c.lowest_needle, c.highest_needle};
   report["estimated_minutes"] = c.estimated_minutes;
   return report;
@@ -54,16 +54,24 @@ void bind_machine(py::module_& m) {
       .def_readwrite("needles", &MachineProfile::needles)
       .def_readwrite("carriers", &MachineProfile::carriers)
       .def_readwrite("waste_carrier", &MachineProfile::waste_carrier)
+      .def_readwrite("draw_carrier", &MachineProfile::draw_carrier)
       .def_readwrite("yarn_carrier", &MachineProfile::yarn_carrier)
       .def_readwrite("has_inserting_hook", &MachineProfile::has_inserting_hook)
       .def_readwrite("has_sliders", &MachineProfile::has_sliders)
       .def_readwrite("first_stitch_leftward", &MachineProfile::first_stitch_leftward)
       .def_readwrite("max_racking", &MachineProfile::max_racking)
+      .def_readwrite("liked_racking", &MachineProfile::liked_racking)
       .def_readwrite("quarter_pitch", &MachineProfile::quarter_pitch)
       .def_readwrite("max_stack", &MachineProfile::max_stack)
       .def_readwrite("max_stretch", &MachineProfile::max_stretch)
       .def_readwrite("max_float", &MachineProfile::max_float)
       .def_readwrite("waste_rounds", &MachineProfile::waste_rounds)
+      .def_readwrite("take_down_rounds", &MachineProfile::take_down_rounds)
+      .def_readwrite("take_down_width", &MachineProfile::take_down_width)
+      .def_readwrite("tucks_beside_knits", &MachineProfile::tucks_beside_knits)
+      .def_readwrite("transfers_in_halves", &MachineProfile::transfers_in_halves)
+      .def_readwrite("takes_kcode", &MachineProfile::takes_kcode)
+      .def_readwrite("first_settings", &MachineProfile::first_settings)
       .def_readwrite("seconds_per_turn", &MachineProfile::seconds_per_turn)
       .def_readwrite("needles_per_second", &MachineProfile::needles_per_second);
   m.def("machine_profile_names", &machine_profile_names);
@@ -83,17 +91,17 @@ void bind_machine(py::module_& m) {
       m, "Knitout", py::module_local(),
       "A machine file that the simulated machine has knitted and found equal to the trace.")
       .def_readonly("text", &CheckedKnitout::text)
+      .def_readonly("kcode", &CheckedKnitout::kcode,
+                    "The same program as a .kc file; empty for machines that take none.")
+      .def_readonly("sheet", &CheckedKnitout::sheet, "What to know at the machine, as text.")
       .def_property_readonly(
           "problems", [](const CheckedKnitout& k) { return to_python(k.check.problems); })
       .def_property_readonly(
           "check", [](const CheckedKnitout& k) { return check_report(k.check); },
           "The report's `check` entry.")
-      .def(
-          "program",
-          [](const CheckedKnitout& k, const MachineProfile& p) {
-            return program_report(k.cost, {p.waste_carrier, p.yarn_carrier});
-          },
-          py::arg("profile"), "The report's `program` entry.");
+      .def_property_readonly(
+          "program", [](const CheckedKnitout& k) { return program_report(k.cost); },
+          "The report's `program` entry.");
   m.def(
       "knitout",
       [](const StitchTrace& trace, const Schedule& schedule, const MachineProfile& profile,

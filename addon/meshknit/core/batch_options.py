@@ -6,11 +6,12 @@ from pathlib import Path
 
 from ..names import STAGES
 from .errors import UsageError
-from .files import target_of
+from .files import sheet_of, target_of
 from .mesh_files import SUFFIXES
 
 
-OUTPUTS = ("output", "graph", "stitches", "report")
+OUTPUTS = ("output", "kcode", "graph", "stitches", "report")
+MACHINE_FILES = ("output", "kcode")  # each gets a run sheet
 INPUTS = ("input", "marks", "machine")
 
 
@@ -27,8 +28,6 @@ def parse_options(arguments):
             raise UsageError(f"--{name} needs a name")
     if options.auto:
         raise UsageError("--auto is not supported yet: give --marks, or store times on the object")
-    if options.kcode is not None:
-        raise UsageError("--kcode is not supported yet")
     for name in ("scale", "size", "stitch_width", "stitch_height"):
         value = getattr(options, name)
         if value is not None and not 0.0 < value < float("inf"):
@@ -44,7 +43,7 @@ def parse_options(arguments):
 
 
 def _require_outputs(options):
-    needed = {"graph": "graph", "stitches": "trace", "output": "emit"}
+    needed = {"graph": "graph", "stitches": "trace", "output": "emit", "kcode": "emit"}
     for option, stage in needed.items():
         wanted = getattr(options, option)
         if wanted is not None and STAGES.index(options.until) < STAGES.index(stage):
@@ -55,10 +54,12 @@ def _require_outputs(options):
         wanted = getattr(options, option)
         if wanted is None:
             continue
-        target = os.path.normcase(target_of(wanted))
-        if target in taken:
-            raise UsageError(f"--{option}: {wanted} is the file of another option, too")
-        taken.add(target)
+        wanted_files = [wanted] + ([sheet_of(wanted)] if option in MACHINE_FILES else [])
+        for file in wanted_files:
+            target = os.path.normcase(target_of(file))
+            if target in taken:
+                raise UsageError(f"--{option}: {file} is the file of another option, too")
+            taken.add(target)
 
 
 def _make_parser():
@@ -79,7 +80,7 @@ def _make_parser():
     add("--stitch-height", type=float, metavar="MM", help="default 1.73")
     add("--no-relax", action="store_true", help="leave the stitches where peeling put them")
     add("--output", metavar="FILE.k", help="knitout, written if the independent check passed")
-    add("--kcode", metavar="FILE.kc", help="Kniterate's own file")
+    add("--kcode", metavar="FILE.kc", help="Kniterate's own file (machine kniterate only)")
     add("--graph", metavar="FILE.json")
     add("--stitches", metavar="FILE.json")
     add("--report", metavar="FILE.json")

@@ -47,6 +47,21 @@ def _mode(target):
     return 0o666 & ~mask
 
 
+def sheet_of(path):
+    """Where the run sheet of a machine file stands."""
+    return f"{path}.txt"
+
+
+def machine_files(knitout, output, kcode):
+    """(path, text) of every file for the machine, each followed by its run sheet. None for a path:
+    not wanted."""
+    files = []
+    for path, text in ((output, knitout.text), (kcode, knitout.kcode)):
+        if path is not None:
+            files += [(path, text), (sheet_of(path), knitout.sheet)]
+    return files
+
+
 def graph_text(graph):
     """The knit graph as meshknit-graph-1."""
     return _json(

@@ -9,7 +9,6 @@ from .. import names
 from .errors import UsageError
 
 BUILT_IN = tuple(entry[0] for entry in names.MACHINES)
-NOT_YET = ("kniterate",)
 
 
 @dataclass(frozen=True)
@@ -24,8 +23,6 @@ def read_machine(name):
     """A profile's name or the path of a profile file -> Machine. Throws UsageError."""
     if name in BUILT_IN:
         return Machine(name)
-    if name in NOT_YET:
-        raise UsageError(f"the machine {name} is not supported yet")
     if not os.path.isfile(name):
         raise UsageError(f"{name} is neither a machine ({', '.join(BUILT_IN)}) nor a profile file")
     try:
@@ -59,9 +56,15 @@ def make_profile(library, machine):
                 f'the machine profile\'s field "{key}" must be one of the carriers: '
                 + ", ".join(profile.carriers)
             )
-    if profile.waste_carrier == profile.yarn_carrier:
+    if profile.draw_carrier not in ["", *profile.carriers]:
         raise UsageError(
-            'the machine profile\'s fields "waste_carrier" and "yarn_carrier" must differ'
+            'the machine profile\'s field "draw_carrier" must be empty or one of the carriers: '
+            + ", ".join(profile.carriers)
+        )
+    if len({profile.waste_carrier, profile.yarn_carrier, profile.draw_carrier}) < 3:
+        raise UsageError(
+            'the machine profile\'s fields "waste_carrier", "draw_carrier" and "yarn_carrier" '
+            "must differ"
         )
     return profile
 
@@ -89,6 +92,15 @@ def _is_carrier_list(value):
     )
 
 
+def _is_setting(value):
+    return (
+        isinstance(value, str)
+        and value.isprintable()
+        and len(value.split(" ")) <= 2
+        and (value.startswith("x-") and ";" not in value)
+    )
+
+
 def _whole(low, high):
     return lambda v: _is_whole(v) and low <= v <= high, f"a whole number from {low} to {high}"
 
@@ -113,16 +125,30 @@ _FIELDS = {
         "a list of different names, none empty or with spaces, commas or semicolons",
     ),
     "waste_carrier": _CARRIER,
+    "draw_carrier": (
+        lambda v: v == "" or _is_carrier(v),
+        "empty, or a carrier's name, without spaces, commas and semicolons",
+    ),
     "yarn_carrier": _CARRIER,
     "has_inserting_hook": _YES_OR_NO,
     "has_sliders": _YES_OR_NO,
     "first_stitch_leftward": _YES_OR_NO,
     "max_racking": _whole(1, 20),
+    "liked_racking": _whole(1, 20),
     "quarter_pitch": _real(lambda v: 0.0 <= v <= 1.0, "a number from 0 to 1"),
     "max_stack": _whole(2, 10),
     "max_stretch": _whole(3, 20),
     "max_float": _whole(3, 60),
     "waste_rounds": _whole(2, 200),
+    "take_down_rounds": _whole(0, 400),
+    "take_down_width": _whole(0, 200),
+    "tucks_beside_knits": _YES_OR_NO,
+    "transfers_in_halves": _YES_OR_NO,
+    "takes_kcode": _YES_OR_NO,
+    "first_settings": (
+        lambda v: isinstance(v, tuple) and all(map(_is_setting, v)),
+        'a list of extensions like "x-speed-number 300"',
+    ),
     "seconds_per_turn": _POSITIVE,
     "needles_per_second": _POSITIVE,
 }

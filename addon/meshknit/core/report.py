@@ -2,8 +2,6 @@
 
 import sys
 
-from .machines import make_profile
-
 
 def build_report(library, model, settings, outcome):
     """Every key whose stage ran. Problems name vertices and faces of the user's mesh."""
@@ -39,7 +37,7 @@ def build_report(library, model, settings, outcome):
         if stage in values:
             report[stage] = values[stage].report
     if "emit" in values:
-        report["program"] = values["emit"].program(make_profile(library, settings.machine))
+        report["program"] = values["emit"].program
         report["check"] = values["emit"].check
     report["seconds"] = {stage: round(r.seconds, 4) for stage, r in outcome.results.items()}
     report["seconds"]["total"] = round(sum(report["seconds"].values()), 4)

@@ -64,8 +64,8 @@ def stage_keys(model, settings):
     field_key = digest("time", check, own, [o.time for o in model.openings])
     gauge = (settings.stitch_width, settings.stitch_height, settings.relax)
     graph = digest("graph", field_key, *gauge)
-    trace = digest("trace", graph)
-    schedule = digest("schedule", trace, settings.machine)
+    trace = digest("trace", graph, settings.machine)  # whose carriers limit the yarns at a time
+    schedule = digest("schedule", trace)
     emit = digest("emit", schedule)
     return dict(zip(STAGES, (check, field_key, graph, trace, schedule, emit)))
 
@@ -189,7 +189,8 @@ def _graph(library, model, settings, before, context):
 
 
 def _trace(library, model, settings, before, context):
-    return library.trace(before["graph"], context), ()
+    profile = make_profile(library, settings.machine)
+    return library.trace(before["graph"], profile, context), ()
 
 
 def _schedule(library, model, settings, before, context):

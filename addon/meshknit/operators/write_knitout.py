@@ -9,7 +9,7 @@ from bpy.props import StringProperty
 
 from .. import names
 from ..core.errors import UsageError
-from ..core.files import graph_text, report_text, stitches_text, write_whole
+from ..core.files import graph_text, machine_files, report_text, stitches_text, write_whole
 from ..core.workflow import stage_keys
 from ..scene import sessions
 from ..scene.edit_mode import active_mesh
@@ -30,6 +30,12 @@ class MESHKNIT_OT_write_knitout(StageOperator, bpy.types.Operator):
         subtype="FILE_PATH",
         options={"SKIP_SAVE"},
     )
+    kcode: StringProperty(
+        name="Kniterate file",
+        description="Left empty: on a Kniterate, a .kc file beside the machine file",
+        subtype="FILE_PATH",
+        options={"SKIP_SAVE"},
+    )
     graph: StringProperty(name="Knit graph file", subtype="FILE_PATH", options={"SKIP_SAVE"})
     stitches: StringProperty(name="Stitches file", subtype="FILE_PATH", options={"SKIP_SAVE"})
     report_file: StringProperty(name="Report file", subtype="FILE_PATH", options={"SKIP_SAVE"})
@@ -41,16 +47,18 @@ class MESHKNIT_OT_write_knitout(StageOperator, bpy.types.Operator):
 
     def published(self, context, ob, outcome, report):
         values = {stage: result.value for stage, result in outcome.results.items()}
-        files = (
+        files = [
             (self.graph, lambda: graph_text(values["graph"])),
             (self.stitches, lambda: stitches_text(values["trace"])),
             (self.report_file, lambda: report_text(report)),
-            (str(self._path), lambda: values["emit"].text),
-        )
+        ]
         try:
+            kcode = self._kcode_file(values["emit"])
             for path, text in files:
                 if path:
                     write_whole(bpy.path.abspath(path), text())
+            for path, text in machine_files(values["emit"], str(self._path), kcode):
+                write_whole(path, text)
             sessions.session_of(ob).written = str(self._path)
             now = stage_keys(*sessions.read_inputs(context, ob))
         except UsageError as error:
@@ -61,6 +69,15 @@ class MESHKNIT_OT_write_knitout(StageOperator, bpy.types.Operator):
             self.report({"WARNING"}, text)
             return {"FINISHED"}
         return super().published(context, ob, outcome, report)
+
+    def _kcode_file(self, knitout):
+        """Where the Kniterate's own file goes; None for other machines."""
+        chosen = self.kcode.strip()
+        if not knitout.kcode:
+            if chosen:
+                raise UsageError("only the machine Kniterate takes .kc files")
+            return None
+        return bpy.path.abspath(chosen) if chosen else str(self._path.with_suffix(".kc"))
 
     def good_news(self, report):
         minutes = report["program"]["estimated_minutes"]

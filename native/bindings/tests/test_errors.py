@@ -66,8 +66,9 @@ def test_a_cancelled_run_stops():
 def test_a_row_wider_than_the_bed_says_how_much_fits():
     shape = library.straight_tube(30.0, 30.0)
     surface = library.Surface(shape["vertices"], shape["faces"])
-    trace = library.trace(library.build_knit_graph(surface, shape["vertices"][:, 2] / 15.0 - 1.0))
     profile = library.machine_profile("shima_swg091n2")
     profile.needles = 40
+    graph = library.build_knit_graph(surface, shape["vertices"][:, 2] / 15.0 - 1.0)
+    trace = library.trace(graph, profile)
     with pytest.raises(library.NotKnittable, match="%|size|wide"):
         library.schedule(trace, profile)

@@ -32,7 +32,7 @@ def test_shape_becomes_a_checked_machine_file(name, width, height):
     assert check["extrema"] == 0 and check["saddles"] == check["expected_saddles"] == 0
     assert set(graph.report["properties"].values()) == {0}
 
-    trace = library.trace(graph)
+    trace = library.trace(graph, PROFILE)
     nodes = trace.nodes[[s["kind"] != "tuck" for s in trace.stitches]]
     # Every node is knit twice.
     assert (np.bincount(nodes, minlength=len(graph.nodes)) == 2).all()
@@ -50,14 +50,14 @@ def test_shape_becomes_a_checked_machine_file(name, width, height):
 def test_the_same_arrays_give_the_same_bytes():
     def text():
         graph = graph_of(library.sock())[3]
-        trace = library.trace(graph)
+        trace = library.trace(graph, PROFILE)
         return library.knitout(trace, library.schedule(trace, PROFILE), PROFILE).text
 
     assert text() == text()
 
 
 def test_the_check_refuses_a_file_with_a_stitch_taken_out():
-    trace = library.trace(graph_of(library.straight_tube(20.0, 40.0))[3])
+    trace = library.trace(graph_of(library.straight_tube(20.0, 40.0))[3], PROFILE)
     lines = library.knitout(trace, library.schedule(trace, PROFILE), PROFILE).text.splitlines()
     knits = [i for i, line in enumerate(lines) if line.startswith("knit ")]
     del lines[knits[len(knits) // 2]]

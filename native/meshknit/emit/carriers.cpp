@@ -7,15 +7,6 @@
 namespace meshknit {
 namespace {
 
-std::vector<std::string> carriers_for_yarn(const MachineProfile& profile) {
-  std::vector<std::string> carriers = profile.carriers;
-  const auto first = std::find(carriers.begin(), carriers.end(), profile.yarn_carrier);
-  std::rotate(carriers.begin(), first, carriers.end());
-  carriers.erase(std::remove(carriers.begin(), carriers.end(), profile.waste_carrier),
-                 carriers.end());
-  return carriers;
-}
-
 [[noreturn]] void refuse(const StitchTrace& trace, int stitch, const std::vector<YarnUse>& uses,
                          size_t carriers) {
   Problem problem;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "meshknit/core/error.h"
 #include "meshknit/emit/carriers.h"
@@ -23,6 +24,12 @@ Program header(const MachineProfile& profile) {
   program.headers.emplace_back("Gauge", std::to_string(profile.gauge));
   // Needles are used as written: the schedule has centred the tube and checked that it fits.
   program.headers.emplace_back("Position", "Keep");
+  for (const std::string& setting : profile.first_settings) {
+    Instruction instruction;
+    instruction.op = Op::extension;
+    instruction.text = setting;
+    program.instructions.push_back(std::move(instruction));
+  }
   return program;
 }
 

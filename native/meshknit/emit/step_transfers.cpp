@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "meshknit/core/error.h"
 #include "meshknit/transfer/plan_transfers.h"
 
 namespace meshknit {
@@ -32,6 +33,14 @@ TransferProblem mirrored(const TransferProblem& problem) {
   return image;
 }
 
+TransferPlan plan(const TransferProblem& problem, Direction direction) {
+  if (direction == Direction::anticlockwise) return plan_transfers(problem);
+  TransferPlan plan = plan_transfers(mirrored(problem));
+  for (Transfer& transfer : plan.transfers)
+    transfer = {mirrored(transfer.from), mirrored(transfer.to)};
+  return plan;
+}
+
 }  // namespace
 
 TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
@@ -45,16 +54,19 @@ TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
   }
   if (!moves) return {};
   problem.slack = usual_slack(problem.loops);
+  problem.lowest = step.lowest_place;
+  problem.highest = step.highest_place;
   // Tubes that hang beside bear rackings that stretch a bridge of one needle to the limit
   // (schedule/layout_search.h).
   problem.max_racking = std::min(profile.max_racking, profile.max_stretch - 1);
-  problem.lowest = step.lowest_place;
-  problem.highest = step.highest_place;
-  if (direction == Direction::anticlockwise) return plan_transfers(problem);
-  TransferPlan plan = plan_transfers(mirrored(problem));
-  for (Transfer& transfer : plan.transfers)
-    transfer = {mirrored(transfer.from), mirrored(transfer.to)};
-  return plan;
+  if (profile.liked_racking >= problem.max_racking) return plan(problem, direction);
+  TransferProblem liked = problem;
+  liked.max_racking = profile.liked_racking;
+  try {
+    return plan(liked, direction);
+  } catch (const NotKnittable&) {
+    return plan(problem, direction);
+  }
 }
 
 }  // namespace meshknit

@@ -9,8 +9,9 @@
 namespace meshknit {
 
 /// Casts a tube of waste on to the empty hooks of a layout (anticlockwise): every second loop
-/// of a round, then the others, then profile.waste_rounds plain rounds (primer, sections 5.1
-/// and 5.2). The waste carrier comes in and goes out again; no anchor stays. Works in `room` only.
+/// of a round, then the others, then the plain rounds that the profile asks for (primer,
+/// sections 5.1 and 5.2), then, where the machine has a carrier for it, a round of draw thread. The
+/// carriers come in and go out again; no anchor stays. Works in `room` only.
 void knit_waste_before(ProgramBuilder& program, const MachineProfile& profile,
                        const std::vector<Hook>& hooks, const PlaceRange& room);
 

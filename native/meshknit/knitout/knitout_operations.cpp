@@ -36,10 +36,13 @@ constexpr std::array<Form, 13> kForms = {{
     {"pause", Op::pause, false, 0, false, "pause"},
 }};
 
-constexpr std::array<std::string_view, 10> kKnownExtensions = {
-    "x-stitch-number",     "x-speed-number",   "x-xfer-stitch-number", "x-presser-mode",
-    "x-sub-roller-number", "x-roller-advance", "x-carrier-spacing",    "x-add-roller-advance",
-    "x-end-pass",          "x-xfer-style"};
+constexpr std::array<std::string_view, 11> kKnownExtensions = {
+    "x-stitch-number",      "x-speed-number",
+    "x-xfer-stitch-number", "x-presser-mode",
+    "x-sub-roller-number",  "x-roller-advance",
+    "x-carrier-spacing",    "x-carrier-stopping-distance",
+    "x-add-roller-advance", "x-end-pass",
+    "x-xfer-style"};
 
 std::string quoted(std::string_view word) { return "\"" + std::string(word) + "\""; }
 

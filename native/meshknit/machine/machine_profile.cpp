@@ -1,5 +1,7 @@
 #include "meshknit/machine/machine_profile.h"
 
+#include <algorithm>
+
 #include "meshknit/core/error.h"
 
 namespace meshknit {
@@ -28,6 +30,52 @@ MachineProfile shima_swg091n2() {
   p.waste_rounds = 10;
   p.seconds_per_turn = 0.6;
   p.needles_per_second = 30.0;
+  p.settings = {{"x-stitch-number", 1, 120},
+                {"x-speed-number", 0, 15},
+                {"x-sub-roller-number", 0, 31},
+                {"x-presser-mode"},
+                {"stitch"}};
+  return p;
+}
+
+MachineProfile kniterate() {
+  MachineProfile p;
+  p.name = "kniterate";
+  p.machine_header = "Kniterate";
+  p.gauge = 7;
+  p.needles = 252;
+  p.carriers = {"1", "2", "3", "4", "5", "6"};
+  // As its owners load it.
+  p.draw_carrier = "1";
+  p.yarn_carrier = "2";
+  p.waste_carrier = "6";
+  p.has_inserting_hook = false;
+  p.has_sliders = false;
+  p.first_stitch_leftward = false;  // carriers park on the left
+  p.max_racking = 4;
+  p.liked_racking = 2;
+  p.quarter_pitch = 0.5;
+  p.waste_rounds = 10;
+  // Nothing holds the fabric before it reaches the rollers, after some 70 courses.
+  p.take_down_rounds = 70;
+  p.take_down_width = 20;
+  p.tucks_beside_knits = false;
+  p.transfers_in_halves = true;
+  p.takes_kcode = true;
+  p.seconds_per_turn = 1.0;
+  p.needles_per_second = 80.0;
+  p.settings = {{"x-stitch-number", 0, 15},
+                {"x-xfer-stitch-number", 0, 15},
+                {"x-speed-number", 0, 600},
+                {"x-roller-advance", 0, 1000},
+                {"x-add-roller-advance", -1000, 1000},
+                {"x-carrier-spacing", 0, 10},
+                {"x-carrier-stopping-distance", 0, 10},
+                {"x-xfer-style"},
+                {"x-end-pass"},
+                {"stitch"}};
+  p.first_settings = {"x-stitch-number 5", "x-xfer-stitch-number 3", "x-speed-number 300",
+                      "x-roller-advance 300"};
   return p;
 }
 
@@ -35,6 +83,7 @@ MachineProfile shima_swg091n2() {
 
 MachineProfile machine_profile(const std::string& name) {
   if (name == "shima_swg091n2") return shima_swg091n2();
+  if (name == "kniterate") return kniterate();
   std::string known;
   for (const std::string& other : machine_profile_names()) {
     known += (known.empty() ? "" : ", ") + other;
@@ -42,6 +91,19 @@ MachineProfile machine_profile(const std::string& name) {
   throw InvalidInput("there is no machine profile \"" + name + "\"; known are: " + known);
 }
 
-std::vector<std::string> machine_profile_names() { return {"shima_swg091n2"}; }
+std::vector<std::string> machine_profile_names() { return {"shima_swg091n2", "kniterate"}; }
+
+std::vector<std::string> carriers_for_yarn(const MachineProfile& profile) {
+  std::vector<std::string> carriers = profile.carriers;
+  const auto first = std::find(carriers.begin(), carriers.end(), profile.yarn_carrier);
+  std::rotate(carriers.begin(), first, carriers.end());
+  carriers.erase(std::remove_if(carriers.begin(), carriers.end(),
+                                [&](const std::string& carrier) {
+                                  return carrier == profile.waste_carrier ||
+                                         carrier == profile.draw_carrier;
+                                }),
+                 carriers.end());
+  return carriers;
+}
 
 }  // namespace meshknit

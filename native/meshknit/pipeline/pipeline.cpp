@@ -1,12 +1,17 @@
 #include "meshknit/pipeline/pipeline.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "meshknit/core/error.h"
+#include "meshknit/knitout/kcode_plan.h"
 #include "meshknit/knitout/knitout_writer.h"
+#include "meshknit/pipeline/run_sheet.h"
 #include "meshknit/schedule/schedule_checks.h"
 #include "meshknit/tracing/trace.h"
 #include "meshknit/tracing/trace_checks.h"
+#include "meshknit/verify/kcode_check.h"
+#include "meshknit/verify/machine_rules.h"
 
 namespace meshknit {
 namespace {
@@ -44,6 +49,27 @@ void warn_of_poor_fit(CheckedGraph& result) {
   result.check.problems.push_back(std::move(problem));
 }
 
+// A profile's own settings may be wrong where people write it.
+void require_settings(const MachineProfile& profile) {
+  ProblemLog log;
+  for (const std::string& setting : profile.first_settings) {
+    Instruction instruction;
+    instruction.op = Op::extension;
+    instruction.text = setting;
+    check_setting(instruction, profile, log);
+  }
+  if (log.errors() > 0)
+    throw InvalidInput("the machine's first settings: " + log.problems().front().message);
+}
+
+void add_kcode(const Program& program, const MachineProfile& profile, CheckedKnitout& result) {
+  const std::vector<KcodePass> sweeps = plan_kcode(program, profile);
+  result.kcode = write_kcode(sweeps, profile.needles);
+  result.kcode_sweeps = static_cast<int>(sweeps.size());
+  result.cost.estimated_minutes = kcode_minutes(sweeps, profile);
+  keep_promise("The .kc file", check_kcode(result.kcode, result.text, profile));
+}
+
 }  // namespace
 
 CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>& time,
@@ -62,8 +88,10 @@ CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>&
   return result;
 }
 
-StitchTrace build_trace(const KnitGraph& graph, RunContext* run) {
-  StitchTrace trace = trace_knit_graph(graph, run);
+StitchTrace build_trace(const KnitGraph& graph, const MachineProfile& profile,
+                        RunContext* run) {
+  const int yarns = static_cast<int>(carriers_for_yarn(profile).size());
+  StitchTrace trace = trace_knit_graph(graph, std::max(1, yarns), run);
   keep_promise("Tracing", check_trace(graph, trace));
   return trace;
 }
@@ -77,12 +105,15 @@ Schedule build_schedule(const StitchTrace& trace, const MachineProfile& profile,
 
 CheckedKnitout build_knitout(const StitchTrace& trace, const Schedule& schedule,
                              const MachineProfile& profile, RunContext* run) {
+  require_settings(profile);
   const Program program = emit_program(trace, schedule, profile, run);
   CheckedKnitout result;
   result.text = write_knitout(program);
   result.check = verify_knitout(result.text, profile, trace, run);
   keep_promise("The machine file", result.check.problems);
   result.cost = measure_program(program, profile);
+  if (profile.takes_kcode) add_kcode(program, profile, result);
+  result.sheet = write_run_sheet(trace, result, profile);
   return result;
 }
 

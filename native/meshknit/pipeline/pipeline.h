@@ -31,17 +31,24 @@ struct CheckedGraph {
 CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>& time,
                               const RemeshOptions& options, RunContext* run = nullptr);
 
-StitchTrace build_trace(const KnitGraph& graph, RunContext* run = nullptr);
+/// With no more yarns at once than the machine has carriers for, if an order of rows allows that.
+StitchTrace build_trace(const KnitGraph& graph, const MachineProfile& profile,
+                        RunContext* run = nullptr);
 
 Schedule build_schedule(const StitchTrace& trace, const MachineProfile& profile,
                         RunContext* run = nullptr);
 
-/// A machine file that the simulated machine has knitted and found equal to the trace.
+/// A machine file that the simulated machine has knitted and found equal to the trace; for machines
+/// that take .kc files that, too, read back and found to make the same loops.
 struct CheckedKnitout {
   std::string text;
-  VerifyReport check;  ///< ok
-  ProgramCost cost;
+  std::string kcode;     ///< empty if the machine takes none
+  int kcode_sweeps = 0;  ///< of the carriage
+  std::string sheet;     ///< for the person at the machine (run_sheet.h)
+  VerifyReport check;    ///< ok
+  ProgramCost cost;      ///< with a .kc file the minutes are those of all its sweeps
 };
+/// Throws, too: InvalidInput if the profile begins programs with settings that its machine has not.
 CheckedKnitout build_knitout(const StitchTrace& trace, const Schedule& schedule,
                              const MachineProfile& profile, RunContext* run = nullptr);
 

@@ -95,19 +95,30 @@ class EventSearch {
     for (const auto& event : timed) events_.push_back(event.second);
   }
 
-  std::vector<TubeEvent> run() {
-    if (events_.size() > kMostEvents || in_order_of_time() || !follow(0, {})) return {};
+  // With few yarns tubes must wait, which may make others cross: so few tubes hang at once, if any
+  // order allows that; else none cross, if any order allows that.
+  std::vector<TubeEvent> run(std::size_t most_tubes) {
+    if (events_.size() > kMostEvents) return {};
+    const bool time_crosses = !in_order_of_time(events_.size());
+    if (!time_crosses && in_order_of_time(most_tubes)) return {};
+    if (!search(most_tubes) && (!time_crosses || !search(events_.size()))) return {};
     std::reverse(order_.begin(), order_.end());
     return order_;
   }
 
  private:
-  bool in_order_of_time() const {
+  bool search(std::size_t most_tubes) {
+    tried_.clear();
+    return follow(0, {}, most_tubes);
+  }
+
+  bool in_order_of_time(std::size_t most_tubes) const {
     std::set<Row> rows{{}};
     for (const TubeEvent& event : events_) {
       std::set<Row> next;
       for (const Row& row : rows)
-        for (Row& after : rows_after(row, event)) next.insert(std::move(after));
+        for (Row& after : rows_after(row, event))
+          if (after.size() <= most_tubes) next.insert(std::move(after));
       if (next.size() > kMostStates) return true;
       rows = std::move(next);
     }
@@ -161,13 +172,14 @@ class EventSearch {
   }
 
   // The earliest events first; writes the order down from its end.
-  bool follow(std::uint64_t done, const Row& row) {
+  bool follow(std::uint64_t done, const Row& row, std::size_t most_tubes) {
     if (done == ~std::uint64_t{0} >> (kMostEvents - events_.size())) return true;
     if (tried_.size() >= kMostStates || !tried_.insert({done, row}).second) return false;
     for (std::size_t e = 0; e < events_.size(); ++e) {
       if ((done >> e & 1) != 0) continue;
       for (const Row& after : rows_after(row, events_[e]))
-        if (follow(done | std::uint64_t{1} << e, after)) {
+        if (after.size() <= most_tubes &&
+            follow(done | std::uint64_t{1} << e, after, most_tubes)) {
           order_.push_back(events_[e]);
           return true;
         }
@@ -183,11 +195,12 @@ class EventSearch {
 
 }  // namespace
 
-std::vector<TubeEvent> find_event_order(const KnitGraph& graph, const Tubes& tubes) {
+std::vector<TubeEvent> find_event_order(const KnitGraph& graph, const Tubes& tubes,
+                                        int most_tubes) {
   if (tubes.count < 2) return {};
   std::vector<TubeLinks> links = link_tubes(graph, tubes);
   put_side_by_side(graph, tubes, links);
-  return EventSearch(std::move(links)).run();
+  return EventSearch(std::move(links)).run(static_cast<std::size_t>(most_tubes));
 }
 
 }  // namespace meshknit

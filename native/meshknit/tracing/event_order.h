@@ -14,9 +14,11 @@ struct TubeEvent {
 };
 
 /// An order of events in which tubes can hang side by side without crossing: a level planar drawing
-/// of the Reeb graph (paper, section 2.2). Empty if the order of time is one, so that nothing need
-/// be done, or if none was found; all orders are tried for objects of a dozen tubes.
-/// Requires: check_knit_graph(graph) finds no error.
-std::vector<TubeEvent> find_event_order(const KnitGraph& graph, const Tubes& tubes);
+/// of the Reeb graph (paper, section 2.2). If there is one, it is such that no more than `most_tubes`
+/// hang at once, so that no more yarns are in use. Empty if the order of time is one, so that nothing
+/// need be done, or if none was found; all orders are tried for objects of a dozen tubes.
+/// Requires: check_knit_graph(graph) finds no error; most_tubes >= 1.
+std::vector<TubeEvent> find_event_order(const KnitGraph& graph, const Tubes& tubes,
+                                        int most_tubes);
 
 }  // namespace meshknit

@@ -8,7 +8,7 @@ RowAgenda::RowAgenda(const KnitGraph& graph, int most_yarns)
     : tubes_(find_tubes(graph)),
       first_row_(tubes_.count, -1),
       last_row_(tubes_.count, -1),
-      events_(find_event_order(graph, tubes_)),
+      events_(find_event_order(graph, tubes_, most_yarns)),
       most_yarns_(static_cast<std::size_t>(most_yarns)) {
   for (int row = 0; row < static_cast<int>(graph.rows.size()); ++row) {
     double sum = 0.0;

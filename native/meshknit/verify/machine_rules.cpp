@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "meshknit/knitout/knitout_tokens.h"
 #include "meshknit/verify/fabric.h"
 
 namespace meshknit {
@@ -13,6 +17,12 @@ const std::string* header(const Program& program, const std::string& name) {
   const auto found = std::find_if(program.headers.begin(), program.headers.end(),
                                   [&](const auto& entry) { return entry.first == name; });
   return found == program.headers.end() ? nullptr : &found->second;
+}
+
+// Sizes above 9 may be written as one hexadecimal digit.
+std::optional<double> setting_value(std::string_view word) {
+  if (word.size() == 1 && word[0] >= 'A' && word[0] <= 'F') return 10.0 + (word[0] - 'A');
+  return parse_decimal(word);
 }
 
 }  // namespace
@@ -45,8 +55,35 @@ int check_racking(const Instruction& i, const MachineProfile& profile, ProblemLo
   if (!(std::abs(i.racking) <= profile.max_racking)) {
     log.error("racking-too-far", i.line,
               "the racking goes beyond " + std::to_string(profile.max_racking) + " needles");
+  } else if (std::abs(i.racking) > profile.liked_racking) {
+    log.warning("racking-wide", i.line,
+                "the racking goes beyond " + std::to_string(profile.liked_racking) +
+                    " needles, which may break yarn",
+                {}, "Use a yarn that stretches, and watch this place.");
   }
   return static_cast<int>(std::lround(i.racking * kQuarters));
+}
+
+void check_setting(const Instruction& i, const MachineProfile& profile, ProblemLog& log) {
+  const std::vector<std::string_view> words = split_words(i.text);
+  const auto setting =
+      std::find_if(profile.settings.begin(), profile.settings.end(),
+                   [&](const MachineSetting& known) { return known.name == words.front(); });
+  if (setting == profile.settings.end()) {
+    log.warning("setting-unknown", i.line,
+                "the machine does not know \"" + i.text + "\" and leaves it aside", {},
+                "Remove the line, or use what this machine calls it.");
+    return;
+  }
+  if (setting->highest < setting->lowest) return;
+  const std::optional<double> value =
+      words.size() == 2 ? setting_value(words[1]) : std::nullopt;
+  if (!value || *value < setting->lowest || *value > setting->highest) {
+    log.error("setting-out-of-range", i.line,
+              "\"" + i.text + "\" needs a value from " + std::to_string(setting->lowest) +
+                  " to " + std::to_string(setting->highest),
+              {}, "Choose a value that the machine has.");
+  }
 }
 
 bool check_needle(const Needle& needle, int line, const BedRange& beds,

@@ -10,8 +10,12 @@ namespace meshknit {
 /// Carriers, machine and gauge named in the headers are those of the profile.
 void check_headers(const Program& program, const MachineProfile& profile, ProblemLog& log);
 
-/// A racking that the machine can do, in quarter needles (the nearest one if it cannot).
+/// A racking that the machine can do (a warning if it does not like it), in quarter needles (the nearest one if it cannot).
 int check_racking(const Instruction& i, const MachineProfile& profile, ProblemLog& log);
+
+/// A setting (an x- operation) that the machine has, with a value in its range. Others change nothing:
+/// a warning.
+void check_setting(const Instruction& i, const MachineProfile& profile, ProblemLog& log);
 
 /// The needle exists. False if not: the operation cannot be replayed.
 bool check_needle(const Needle& needle, int line, const BedRange& beds,

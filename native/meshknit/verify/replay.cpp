@@ -52,8 +52,9 @@ class Replay {
       case Op::amiss:
         check_needle(i.needle, i.line, beds_, profile_, log_);
         return;
-      case Op::pause:
       case Op::extension:
+        return check_setting(i, profile_, log_);
+      case Op::pause:
         return;
     }
   }

@@ -10,6 +10,7 @@
 #include "meshknit/verify/problem_log.h"
 #include "meshknit/verify/replay.h"
 #include "meshknit/verify/tube_check.h"
+#include "meshknit/verify/waste_rules.h"
 
 namespace meshknit {
 namespace {
@@ -38,6 +39,7 @@ VerifyReport verify_knitout(std::string_view text, const MachineProfile& profile
   if (check_trace_form(trace, log)) {
     const std::vector<ExpectedLoop> items = compare_with_trace(fabric, trace, log);
     check_loop_fates(fabric, trace, items, log);
+    check_waste_below(fabric, trace, items, profile, log);
     check_tubes(read.program, profile, fabric, trace, items, log, run);
   } else {
     check_tubes(read.program, profile, fabric, StitchTrace(), {}, log, run);

@@ -44,6 +44,31 @@ ProgramCost cost_of(std::initializer_list<Instruction> instructions) {
   return measure_program(program, machine_profile("shima_swg091n2"));
 }
 
+std::vector<CarriagePass> kniterate_passes(std::initializer_list<Instruction> instructions) {
+  Program program;
+  program.instructions = instructions;
+  return carriage_passes(program, machine_profile("kniterate"));
+}
+
+TEST(CarriagePasses, TheKniterateTransfersEverySecondLoopFirst) {
+  const std::vector<CarriagePass> passes = kniterate_passes(
+      {move(Bed::front, 10, 10), move(Bed::front, 14, 14), move(Bed::front, 12, 12)});
+  ASSERT_EQ(passes.size(), 2u);
+  EXPECT_EQ(passes[0].instructions, (std::vector<int>{0, 1}));  // from the left: 10 and 14
+  EXPECT_EQ(passes[1].instructions, (std::vector<int>{2}));
+  EXPECT_EQ(kniterate_passes({move(Bed::front, 10, 10)}).size(), 1u);
+}
+
+TEST(CarriagePasses, OneBedOfTheKniterateDoesNotTuckBesideKnits) {
+  Instruction tuck = knit(Side::right, Bed::front, 12);
+  tuck.op = Op::tuck;
+  EXPECT_EQ(kniterate_passes({knit(Side::right, Bed::front, 10), tuck}).size(), 2u);
+  EXPECT_EQ(cost_of({knit(Side::right, Bed::front, 10), tuck}).passes, 1);
+  // On the other bed it may.
+  tuck.needle = {Bed::back, 13, false};
+  EXPECT_EQ(kniterate_passes({knit(Side::right, Bed::front, 10), tuck}).size(), 1u);
+}
+
 TEST(CarriagePasses, ATubeRoundIsTwoPasses) {
   const ProgramCost cost =
       cost_of({knit(Side::left, Bed::front, 14), knit(Side::left, Bed::front, 12),

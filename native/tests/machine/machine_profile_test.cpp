@@ -29,6 +29,18 @@ TEST(MachineProfile, EveryNamedProfileIsUsable) {
   }
 }
 
+TEST(MachineProfile, YarnsLeaveWasteAndDrawThreadTheirCarriers) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(carriers_for_yarn(machine_profile("kniterate")), (Names{"2", "3", "4", "5"}));
+  EXPECT_EQ(carriers_for_yarn(machine_profile("shima_swg091n2")),
+            (Names{"2", "3", "4", "5", "6", "7", "8", "9", "10"}));
+  MachineProfile p;
+  p.carriers = {"a", "b", "c"};
+  p.waste_carrier = "c";
+  p.yarn_carrier = "b";
+  EXPECT_EQ(carriers_for_yarn(p), (Names{"b", "a"}));
+}
+
 TEST(MachineProfile, AnUnknownMachineIsNamedAndTheKnownOnesListed) {
   try {
     machine_profile("hand_needles");

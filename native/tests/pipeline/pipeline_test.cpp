@@ -22,7 +22,7 @@ Knitted knit(const TimedShape& shape, const MachineProfile& profile,
              RunContext* run = nullptr) {
   Knitted knitted;
   knitted.graph = build_knit_graph(shape.surface, shape.time, {}, run);
-  knitted.trace = build_trace(knitted.graph.graph, run);
+  knitted.trace = build_trace(knitted.graph.graph, profile, run);
   const Schedule schedule = build_schedule(knitted.trace, profile, run);
   knitted.file = build_knitout(knitted.trace, schedule, profile, run);
   return knitted;
@@ -92,7 +92,7 @@ TEST(Pipeline, ACancelledRunLeavesNothing) {
   RunContext run;
   run.cancel();
   EXPECT_THROW(build_knit_graph(shape.surface, shape.time, {}, &run), Cancelled);
-  EXPECT_THROW(build_trace(knitted.graph.graph, &run), Cancelled);
+  EXPECT_THROW(build_trace(knitted.graph.graph, profile, &run), Cancelled);
   EXPECT_THROW(build_schedule(knitted.trace, profile, &run), Cancelled);
   EXPECT_THROW(build_knitout(knitted.trace, schedule, profile, &run), Cancelled);
 }

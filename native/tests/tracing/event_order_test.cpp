@@ -12,8 +12,8 @@
 namespace meshknit {
 namespace {
 
-std::vector<TubeEvent> order_of(const KnitGraph& graph) {
-  return find_event_order(graph, find_tubes(graph));
+std::vector<TubeEvent> order_of(const KnitGraph& graph, int most_tubes = 9) {
+  return find_event_order(graph, find_tubes(graph), most_tubes);
 }
 
 TEST(EventOrder, TheOrderOfTimeIsKeptWhereNothingCrosses) {
@@ -47,6 +47,27 @@ TEST(EventOrder, APairEndsBeforeTheTubesOnItsTwoSidesMeet) {
     if (trace.stitches[s].tube == second && first_of_second < 0) first_of_second = s;
   }
   EXPECT_LT(last_of_first, first_of_second);
+}
+
+TEST(EventOrder, FewTubesHangAtOnceWhereFewCarriersAreFree) {
+  // A trunk that sheds five legs while all of them grow: in the order of time six tubes hang at once.
+  const KnitGraph graph = many_legs(6, 6, 12);
+  EXPECT_TRUE(order_of(graph).empty());
+  for (const int most : {2, 3, 4}) {
+    const std::vector<TubeEvent> order = order_of(graph, most);
+    ASSERT_FALSE(order.empty());
+    int hanging = 0;
+    for (const TubeEvent& event : order) {
+      if (event.kind == TubeEvent::Kind::start || event.kind == TubeEvent::Kind::split)
+        ++hanging;
+      if (event.kind == TubeEvent::Kind::merge || event.kind == TubeEvent::Kind::end) --hanging;
+      EXPECT_LE(hanging, most);
+    }
+    EXPECT_EQ(hanging, 0);
+    EXPECT_TRUE(check_trace(graph, trace_knit_graph(graph, most)).empty());
+  }
+  // A trunk that parts cannot hang alone.
+  EXPECT_TRUE(order_of(graph, 1).empty());
 }
 
 TEST(EventOrder, NoneIsFoundWhereAllOrdersCross) {

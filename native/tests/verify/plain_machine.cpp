@@ -34,6 +34,7 @@ class PlainMachine {
   PlainKnitting run(const std::vector<std::string>& lines) {
     for (const std::string& line : lines) {
       ++at_;
+      if (line == ";;Machine: Kniterate") kniterate_ = true;
       if (line.empty() || line[0] == ';') continue;
       const std::size_t comment = line.find(';');
       kind_ = "none";
@@ -72,15 +73,19 @@ class PlainMachine {
     return number(needle) + (bed(needle) == 'b' ? racking_ : 0);
   }
   void exists(const std::string& needle) {
-    rule(number(needle) >= 1 && number(needle) <= 540, "needle outside the bed");
+    rule(number(needle) >= 1 && number(needle) <= (kniterate_ ? 252 : 540),
+         "needle outside the bed");
+    rule(!kniterate_ || !slider(needle), "no sliders");
   }
 
   void operate(const std::vector<std::string>& w) {
     const std::string& op = w[0];
+    rule(!kniterate_ || op.find("hook") == std::string::npos, "no hook");
     if (op == "rack") {
       racking_ = std::atof(w[1].c_str());
       const double fraction = racking_ - std::floor(racking_);
-      rule(std::abs(racking_) <= 4 && (fraction == 0 || fraction == 0.25), "racking");
+      rule(std::abs(racking_) <= 4 && (fraction == 0 || fraction == (kniterate_ ? 0.5 : 0.25)),
+           "racking");
       for (const PlainLoop& loop : loops_) check_stretch(loop);
     } else if (op == "inhook" || op == "in") {
       PlainCarrier& c = carriers_[w[1]];
@@ -151,7 +156,7 @@ class PlainMachine {
     rule(c.in, "carrier not in");
     if (!c.in) return;
     rule(hook_.empty() || !hook_parked_ || place(needle) <= hook_place_, "right of the hook");
-    if (!c.stitched) rule(side == "-", "first stitch rightward");
+    if (!c.stitched) rule((side == "-") != kniterate_, "first stitch the wrong way");
     if (c.hooked && !c.stitched) {
       hook_parked_ = true;
       hook_place_ = place(needle);
@@ -225,7 +230,7 @@ class PlainMachine {
   std::map<std::string, std::vector<int>> needles_;
   std::map<std::string, PlainCarrier> carriers_;
   std::string hook_, kind_, broken_;
-  bool hook_parked_ = false;
+  bool hook_parked_ = false, kniterate_ = false;
   double hook_place_ = 0, racking_ = 0;
   int at_ = 0, ranks_ = 0;
 };

@@ -5,7 +5,7 @@
 
 namespace meshknit {
 
-/// What a knitout program for the Shima makes, found in the plainest way: for the tests that hold
+/// What a knitout program for the Shima, or for the Kniterate if its header says so, makes, found in the plainest way: for the tests that hold
 /// the check to account. Shares nothing with the library, knows no trace and no tubes.
 struct PlainKnitting {
   /// The first rule of the machine that is broken, empty if none is (primer, sections 2 to 4 and 7,
