@@ -97,16 +97,10 @@ class Emitter {
 
   TransferPlan plan_moves(const ScheduleStep& step) const {
     try {
-      return plan_step_transfers(step, direction_of(step), profile_);
+      return plan_step_transfers(step, transfer_direction(trace_, step), profile_);
     } catch (const NotKnittable&) {
       refuse_transfers(trace_, step);  // the planner knows loops by number, a modeler by node
     }
-  }
-
-  // A tube that is only moved decreases nothing, so either way will do.
-  Direction direction_of(const ScheduleStep& step) const {
-    return step.last_stitch < step.first_stitch ? Direction::anticlockwise
-                                                : trace_.stitches[step.first_stitch].direction;
   }
 
   void make_stitch(const ScheduleStep& step, int s) {

@@ -34,8 +34,13 @@ TransferProblem mirrored(const TransferProblem& problem) {
 
 }  // namespace
 
-TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
-                                 const MachineProfile& profile) {
+Direction transfer_direction(const StitchTrace& trace, const ScheduleStep& step) {
+  return step.last_stitch < step.first_stitch ? Direction::anticlockwise
+                                              : trace.stitches[step.first_stitch].direction;
+}
+
+TransferProblem step_transfer_problem(const ScheduleStep& step, Direction direction,
+                                      const MachineProfile& profile) {
   TransferProblem problem;
   bool moves = false;
   for (size_t i = 0; i < step.before.size(); ++i) {
@@ -50,10 +55,17 @@ TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
   problem.max_racking = std::min(profile.max_racking, profile.max_stretch - 1);
   problem.lowest = step.lowest_place;
   problem.highest = step.highest_place;
-  if (direction == Direction::anticlockwise) return plan_transfers(problem);
-  TransferPlan plan = plan_transfers(mirrored(problem));
-  for (Transfer& transfer : plan.transfers)
-    transfer = {mirrored(transfer.from), mirrored(transfer.to)};
+  return direction == Direction::anticlockwise ? problem : mirrored(problem);
+}
+
+TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
+                                 const MachineProfile& profile) {
+  const TransferProblem problem = step_transfer_problem(step, direction, profile);
+  if (problem.loops.empty()) return {};
+  TransferPlan plan = plan_transfers(problem);
+  if (direction == Direction::clockwise)
+    for (Transfer& transfer : plan.transfers)
+      transfer = {mirrored(transfer.from), mirrored(transfer.to)};
   return plan;
 }
 

@@ -33,10 +33,10 @@ void advance(Tube& tube, const PassPlan& step, TransferPlan& plan) {
   merge_stacks(tube);
 }
 
-std::optional<PassPlan> search_passes(const Tube& tube) {
+std::optional<PassPlan> search_passes(const Tube& tube, int most) {
   PassAssigner assigner(tube);
   bool all = true;
-  for (int length = 1; length <= most_passes; ++length) {
+  for (int length = 1; length <= std::min(most, most_passes); ++length) {
     PassSequences sequences;
     if (all) sequences = sequences_of_length(tube, length);
     all = all && !sequences.gave_up;

@@ -9,6 +9,7 @@
 #include "meshknit/core/error.h"
 #include "meshknit/transfer/collapse_shift_expand.h"
 #include "meshknit/transfer/pass_search.h"
+#include "meshknit/transfer/three_passes.h"
 #include "meshknit/transfer/transfer_checks.h"
 
 namespace meshknit {
@@ -62,33 +63,57 @@ std::tuple<int, int, std::size_t> cost(const TransferPlan& plan) {
   return {count_passes(plan), racking_travel(passes), plan.transfers.size()};
 }
 
-// Collapse-shift-expand until all loops have arrived, or until a search finds the rest of the
-// way.
-std::optional<TransferPlan> plan_in_steps(Tube tube, bool search_the_rest) {
-  TransferPlan plan;
-  while (!tube.arrived()) {
-    std::optional<PassPlan> step;
-    if (search_the_rest && !plan.transfers.empty()) step = search_passes(tube);
-    if (!step) step = collapse_shift_expand(tube);
-    if (!step) return std::nullopt;
-    advance(tube, *step, plan);
+// The way of moving that is tried first; the other one steps in where it is stuck.
+enum class Step { whole_tube, few_stacks };
+
+bool step_nearer(Tube& tube, TransferPlan& plan, Step step) {
+  if (step == Step::whole_tube && collapse_shift_expand(tube, plan)) return true;
+  if (const std::optional<PassPlan> passes = three_passes(tube)) {
+    advance(tube, *passes, plan);
+    return true;
   }
-  return plan;
+  return step == Step::few_stacks && collapse_shift_expand(tube, plan);
 }
 
-std::optional<TransferPlan> cheapest_plan(Tube tube) {
-  if (tube.arrived()) return TransferPlan{};
-  if (const std::optional<PassPlan> whole = search_passes(tube)) {
-    TransferPlan plan;
-    advance(tube, *whole, plan);
-    return plan;
+class Planner {
+ public:
+  explicit Planner(const Tube& tube) : tube_(tube) {}
+
+  std::optional<TransferPlan> best;
+
+  // Step by step, and, if asked for, with a search for the rest of the way after each; given up
+  // where it gets dearer than the best plan so far.
+  void plan(Step step, bool search_the_rest) {
+    Tube tube = tube_;
+    TransferPlan begun;
+    while (!tube.arrived()) {
+      const int most = best ? count_passes(*best) - count_passes(begun) : most_passes;
+      if (most <= 0) return;
+      if (search_the_rest) {
+        if (const std::optional<PassPlan> rest = search_passes(tube, most)) {
+          advance(tube, *rest, begun);
+          break;
+        }
+      }
+      if (!step_nearer(tube, begun, step)) return;
+    }
+    if (!best || cost(begun) < cost(*best)) best = std::move(begun);
   }
-  // Neither is always better: a search makes the rest short, while steps of one kind often
-  // share the pass between them.
-  const std::optional<TransferPlan> searched = plan_in_steps(tube, true);
-  const std::optional<TransferPlan> stepped = plan_in_steps(tube, false);
-  if (!searched || !stepped) return searched ? searched : stepped;
-  return cost(*stepped) < cost(*searched) ? stepped : searched;
+
+ private:
+  const Tube& tube_;
+};
+
+// None of the ways is always better: a search makes the rest short, while steps of one kind
+// often share the pass between them.
+std::optional<TransferPlan> cheapest_plan(const Tube& tube) {
+  if (tube.arrived()) return TransferPlan{};
+  Planner planner(tube);
+  planner.plan(Step::whole_tube, false);
+  planner.plan(Step::whole_tube, true);
+  planner.plan(Step::few_stacks, true);
+  planner.plan(Step::few_stacks, false);
+  return planner.best;
 }
 
 }  // namespace
