@@ -95,9 +95,9 @@ class Emitter {
       program_.transfer(half_gauge_needle(transfer.from), half_gauge_needle(transfer.to));
   }
 
-  TransferPlan plan_moves(const ScheduleStep& step) const {
+  TransferPlan plan_moves(const ScheduleStep& step) {
     try {
-      return plan_step_transfers(step, transfer_direction(trace_, step), profile_);
+      return plan_step_transfers(step, transfer_direction(trace_, step), profile_, planner_);
     } catch (const NotKnittable&) {
       refuse_transfers(trace_, step);  // the planner knows loops by number, a modeler by node
     }
@@ -160,6 +160,7 @@ class Emitter {
   const MachineProfile& profile_;
   std::vector<YarnUse> yarns_;
   ProgramBuilder program_;
+  TransferPlanner planner_;
   std::vector<Anchors> anchors_;  // that lie on the beds
 };
 

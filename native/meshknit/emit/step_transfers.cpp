@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "meshknit/transfer/plan_transfers.h"
-
 namespace meshknit {
 namespace {
 
@@ -59,10 +57,10 @@ TransferProblem step_transfer_problem(const ScheduleStep& step, Direction direct
 }
 
 TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
-                                 const MachineProfile& profile) {
+                                 const MachineProfile& profile, TransferPlanner& planner) {
   const TransferProblem problem = step_transfer_problem(step, direction, profile);
   if (problem.loops.empty()) return {};
-  TransferPlan plan = plan_transfers(problem);
+  TransferPlan plan = planner.plan(problem);
   if (direction == Direction::clockwise)
     for (Transfer& transfer : plan.transfers)
       transfer = {mirrored(transfer.from), mirrored(transfer.to)};

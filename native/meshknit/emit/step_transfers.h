@@ -3,7 +3,7 @@
 #include "meshknit/machine/machine_profile.h"
 #include "meshknit/schedule/schedule.h"
 #include "meshknit/tracing/stitch.h"
-#include "meshknit/transfer/transfer_problem.h"
+#include "meshknit/transfer/plan_transfers.h"
 
 namespace meshknit {
 
@@ -22,6 +22,6 @@ TransferProblem step_transfer_problem(const ScheduleStep& step, Direction direct
 /// each stitch finds its first parent lowest.
 /// Throws: NotKnittable "transfer-impossible".
 TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
-                                 const MachineProfile& profile);
+                                 const MachineProfile& profile, TransferPlanner& planner);
 
 }  // namespace meshknit

@@ -33,16 +33,19 @@ void advance(Tube& tube, const PassPlan& step, TransferPlan& plan) {
   merge_stacks(tube);
 }
 
-std::optional<PassPlan> search_passes(const Tube& tube, int most) {
+std::optional<PassPlan> search_passes(const Tube& tube, PairWaysCache& cache, int most) {
   PassAssigner assigner(tube);
-  bool all = true;
-  for (int length = 1; length <= std::min(most, most_passes); ++length) {
-    PassSequences sequences;
-    if (all) sequences = sequences_of_length(tube, length);
-    all = all && !sequences.gave_up;
-    if (!all && goes_round_an_end(tube)) return std::nullopt;
-    if (!all) sequences.sequences = sequences_in_legs(tube, length);
-    if (auto plan = first_that_works(assigner, sequences.sequences)) return plan;
+  PassSequences sequences(tube, cache);
+  const bool rolls = goes_round_an_end(tube);
+  for (int length = sequences.least_length(); length <= std::min(most, most_passes); ++length) {
+    const bool all = !sequences.gave_up();
+    if (all) {
+      if (auto plan = first_that_works(assigner, sequences.of_length(length))) return plan;
+    } else if (rolls) {
+      return std::nullopt;
+    }
+    if (!sequences.gave_up()) continue;
+    if (auto plan = first_that_works(assigner, sequences_in_legs(tube, length))) return plan;
   }
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "meshknit/transfer/pair_ways.h"
 #include "meshknit/transfer/pass_assignment.h"
 
 namespace meshknit {
@@ -22,6 +23,7 @@ void advance(Tube& tube, const PassPlan& step, TransferPlan& plan);
 /// steadily (a schoolbus that returns loops offset by offset is one leg out and one leg back).
 /// None if no sequence of at most `most` passes was found; that proves nothing.
 /// Requires: not tube.arrived().
-std::optional<PassPlan> search_passes(const Tube& tube, int most = most_passes);
+std::optional<PassPlan> search_passes(const Tube& tube, PairWaysCache& cache,
+                                      int most = most_passes);
 
 }  // namespace meshknit

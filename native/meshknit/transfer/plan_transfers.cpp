@@ -77,7 +77,7 @@ bool step_nearer(Tube& tube, TransferPlan& plan, Step step) {
 
 class Planner {
  public:
-  explicit Planner(const Tube& tube) : tube_(tube) {}
+  Planner(const Tube& tube, PairWaysCache& cache) : tube_(tube), cache_(cache) {}
 
   std::optional<TransferPlan> best;
 
@@ -90,7 +90,7 @@ class Planner {
       const int most = best ? count_passes(*best) - count_passes(begun) : most_passes;
       if (most <= 0) return;
       if (search_the_rest) {
-        if (const std::optional<PassPlan> rest = search_passes(tube, most)) {
+        if (const std::optional<PassPlan> rest = search_passes(tube, cache_, most)) {
           advance(tube, *rest, begun);
           break;
         }
@@ -102,13 +102,14 @@ class Planner {
 
  private:
   const Tube& tube_;
+  PairWaysCache& cache_;
 };
 
 // None of the ways is always better: a search makes the rest short, while steps of one kind
 // often share the pass between them.
-std::optional<TransferPlan> cheapest_plan(const Tube& tube) {
+std::optional<TransferPlan> cheapest_plan(const Tube& tube, PairWaysCache& cache) {
   if (tube.arrived()) return TransferPlan{};
-  Planner planner(tube);
+  Planner planner(tube, cache);
   planner.plan(Step::whole_tube, false);
   planner.plan(Step::whole_tube, true);
   planner.plan(Step::few_stacks, true);
@@ -119,13 +120,17 @@ std::optional<TransferPlan> cheapest_plan(const Tube& tube) {
 }  // namespace
 
 TransferPlan plan_transfers(const TransferProblem& problem) {
+  return TransferPlanner().plan(problem);
+}
+
+TransferPlan TransferPlanner::plan(const TransferProblem& problem) {
   if (const Problems wrong = check_transfer_form(problem); !wrong.empty())
     throw InvalidInput(wrong.front().message);
 
   if (Problems stretched = stretched_layouts(problem); !stretched.empty())
     throw NotKnittable(std::move(stretched));
 
-  const std::optional<TransferPlan> found = cheapest_plan(make_tube(problem));
+  const std::optional<TransferPlan> found = cheapest_plan(make_tube(problem), cache_);
   if (!found) throw no_way();
   const TransferPlan& plan = *found;
   if (const Problems broken = check_transfer_plan(problem, plan); !broken.empty())
