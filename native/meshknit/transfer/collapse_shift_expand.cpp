@@ -12,19 +12,45 @@ namespace {
 
 long remaining_way(const CollapsingTube& state) {
   long sum = 0;
-  for (const HangingStack& hanging : state.hanging)
-    sum += remaining_way(state.tube, hanging.stack, hanging.stop());
+  for (const HangingRun& run : state.hanging)
+    sum += run.size() * remaining_way(state.tube, run.stack, run.stop());
   return sum;
+}
+
+std::vector<HangingRun> runs_of(const Tube& tube) {
+  std::vector<HangingRun> runs;
+  for (const Block& block : cut_into_blocks(tube)) {
+    HangingRun run;
+    run.stack = tube.stacks[block.first];
+    for (int i = block.first + 1; i <= block.last; ++i) {
+      run.beyond.push_back(tube.stacks[i].place - run.stack.place);
+      run.slacks.push_back(tube.stacks[i - 1].slack);
+    }
+    run.stack.slack = tube.stacks[block.last].slack;
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+void append_stacks(const HangingRun& run, std::vector<Stack>& stacks) {
+  Stack stack = run.stack;
+  for (int i = 0; i < run.size(); ++i) {
+    const int beyond = i == 0 ? 0 : run.beyond[i - 1];
+    stack.place = run.stack.place + beyond;
+    stack.goal = run.stack.goal + beyond;
+    stack.slack = i + 1 == run.size() ? run.stack.slack : run.slacks[i];
+    stacks.push_back(stack);
+  }
 }
 
 // Loops that met on a needle go on as one.
 void merge(CollapsingTube& state) {
-  std::vector<HangingStack> merged;
-  for (const HangingStack& hanging : state.hanging) {
-    if (!merged.empty() && merged.back().stop() == hanging.stop())
-      merged.back().stack.slack = hanging.stack.slack;
+  std::vector<HangingRun> merged;
+  for (const HangingRun& run : state.hanging) {
+    if (!merged.empty() && merged.back().stop() == run.stop())
+      merged.back().stack.slack = run.stack.slack;
     else
-      merged.push_back(hanging);
+      merged.push_back(run);
   }
   while (merged.size() > 1 && merged.back().stack.side == merged.front().stack.side + 2 &&
          merged.back().stack.place == merged.front().stack.place &&
@@ -63,21 +89,20 @@ void shift_all(CollapsingTube& state) {
     long way = 0;
     bool inside = true;
     for (int i = 0; i < state.count(); ++i) {
-      Stop stop = state.hanging[i].stop();
+      const HangingRun& run = state.hanging[i];
+      Stop stop = run.stop();
       stop.place += by;
-      inside = inside && stop.place >= state.tube.lowest && stop.place <= state.tube.highest;
-      way += remaining_way(state.tube, state.hanging[i].stack, stop);
+      const auto [low, high] = std::minmax({stop.place, stop.place + run.reach()});
+      inside = inside && low >= state.tube.lowest && high <= state.tube.highest;
+      way += run.size() * remaining_way(state.tube, run.stack, stop);
     }
     const auto cost = std::make_tuple(way, std::abs(racking), racking);
     if (inside && (!best || cost < *best)) best = cost;
   }
   const Pass pass{from, std::get<2>(*best)};
-  for (HangingStack& hanging : state.hanging) {
-    const Stop here = hanging.stop();
-    const Stop there{here.side, here.place + shift_of(pass), !here.parked};
-    state.plan.transfers.push_back(
-        {{here.bed(), here.place, here.parked}, {there.bed(), there.place, there.parked}});
-    hanging.go_to(there);
+  for (HangingRun& run : state.hanging) {
+    const Stop here = run.stop();
+    append_move(state, run, {here.side, here.place + shift_of(pass), !here.parked});
   }
   state.pass = pass;
 }
@@ -98,7 +123,7 @@ std::optional<CollapsingTube> iteration(CollapsingTube state, Bed top) {
 bool collapse_shift_expand(Tube& tube, TransferPlan& plan) {
   CollapsingTube state;
   state.tube = tube;
-  for (const Stack& stack : tube.stacks) state.hanging.push_back({stack, false});
+  state.hanging = runs_of(tube);
   if (!plan.transfers.empty())
     state.pass = Pass{plan.transfers.back().from.bed, racking_of(plan.transfers.back())};
   const auto cost = [](const CollapsingTube& s) {
@@ -114,7 +139,7 @@ bool collapse_shift_expand(Tube& tube, TransferPlan& plan) {
   plan.transfers.insert(plan.transfers.end(), best->plan.transfers.begin(),
                         best->plan.transfers.end());
   tube.stacks.clear();
-  for (const HangingStack& hanging : best->hanging) tube.stacks.push_back(hanging.stack);
+  for (const HangingRun& run : best->hanging) append_stacks(run, tube.stacks);
   return true;
 }
 

@@ -28,8 +28,8 @@ bool one_needle(const Stop& a, const Stop& b) {
   return a.bed() == b.bed() && a.place == b.place && a.parked == b.parked;
 }
 
-// Indices of stacks count on round the tube without end, their sides with them. A run of stacks
-// grows (expand: those that have gone) or shrinks (collapse: those that are still to go) one
+// Indices of runs count on round the tube without end, their sides with them. A stretch of
+// them grows (expand: those that have gone) or shrinks (collapse: those that are still to go) one
 // stack at a time at either end. Who hangs where matters only beside its ends.
 class CrossingSearch {
  public:
@@ -68,11 +68,7 @@ class CrossingSearch {
       if (nodes_[at].mover >= 0) moves.push_back(&nodes_[at]);
     std::reverse(moves.begin(), moves.end());
     for (const Node* move : moves) {
-      HangingStack& hanging = state.hanging[move->mover];
-      const Stop from = hanging.stop(), to = move->target;
-      state.plan.transfers.push_back(
-          {{from.bed(), from.place, from.parked}, {to.bed(), to.place, to.parked}});
-      hanging.go_to(to);
+      append_move(state, state.hanging[move->mover], move->target);
       state.pass = move->pass;
     }
   }
@@ -129,7 +125,15 @@ class CrossingSearch {
     const int stack = (i % count_ + count_) % count_;
     return {stack, (i - stack) / count_};
   }
-  const Stack& stack(int i) const { return state_.hanging[stack_and_turns(i).first].stack; }
+  const HangingRun& run(int i) const { return state_.hanging[stack_and_turns(i).first]; }
+  const Stack& stack(int i) const { return run(i).stack; }
+
+  // Where the last stack of a run hangs.
+  Stop last_stop_of(const Node& node, int i) const {
+    Stop stop = stop_of(node, i);
+    stop.place += run(i).reach();
+    return stop;
+  }
 
   // Where a stack beside an end of the run hangs.
   Stop stop_of(const Node& node, int i) const {
@@ -158,7 +162,7 @@ class CrossingSearch {
   bool may_rack(const Node& node, int racking) const {
     if (!collapse_ && node.first == node.last) return true;
     for (const int i : {node.first - 1, node.last - 1}) {
-      const Stop a = stop_of(node, i), b = stop_of(node, i + 1);
+      const Stop a = last_stop_of(node, i), b = stop_of(node, i + 1);
       if (std::abs(position(a, racking) - position(b, racking)) > stack(i).slack) return false;
       if (!in_order(a, b, racking)) return false;
     }
@@ -180,15 +184,14 @@ class CrossingSearch {
   long left_behind(const Node& node) const {
     long sum = 0;
     for (int i = node.last - count_; i < node.first && !collapse_; ++i)
-      sum += remaining_way(state_.tube, stack(i),
-                           state_.hanging[stack_and_turns(i).first].stop()) -
-             least_[stack_and_turns(i).first];
+      sum += run(i).size() * (remaining_way(state_.tube, stack(i), run(i).stop()) -
+                              least_[stack_and_turns(i).first]);
     return sum;
   }
 
   void list_targets(int i) {
     const Stack& own = stack(i);
-    const Stop here = state_.hanging[i].stop();
+    const Stop here = run(i).stop();
     // Loops of the collapsed bed that hang on its hooks again leave them only to go round an end.
     const bool may_park = collapse_ || here.parked, may_stay = !may_park;
     std::optional<long> least;
@@ -199,7 +202,8 @@ class CrossingSearch {
       const Pass pass{from_, racking};
       Stop there = here;
       there.place += shift_of(pass);
-      if (there.place < state_.tube.lowest || there.place > state_.tube.highest) continue;
+      const auto [low, high] = std::minmax({there.place, there.place + run(i).reach()});
+      if (low < state_.tube.lowest || high > state_.tube.highest) continue;
       if (changes_side(pass)) {
         if (here.parked || own.roll() == 0) continue;
         there.side += own.roll() > 0 ? 1 : -1;
@@ -240,18 +244,20 @@ class CrossingSearch {
       Stop here = target;
       here.side += 2 * turns;
       if (count_ > 1) {
-        const Stop left = stop_of(node, i - 1), right = stop_of(node, i + 1);
-        if (!in_order(left, here, pass.racking) || !in_order(here, right, pass.racking))
+        const Stop left = last_stop_of(node, i - 1), right = stop_of(node, i + 1);
+        Stop end = here;
+        end.place += run(i).reach();
+        if (!in_order(left, here, pass.racking) || !in_order(end, right, pass.racking))
           continue;
         // A stack comes down on an earlier one only.
         if (one_needle(left, here) && !one_goal(i - 1, i)) continue;
-        if (one_needle(here, right)) continue;
+        if (one_needle(end, right)) continue;
       }
       Node next = moved(node, i, onwards, target);
       next.before = at;
       next.mover = mover;
       next.target = target;
-      next.cost.first += way - least_[mover];
+      next.cost.first += run(i).size() * (way - least_[mover]);
       const bool same_pass =
           node.pass && node.pass->from == pass.from && node.pass->racking == pass.racking;
       next.cost.second += same_pass ? 0 : 1;
@@ -301,6 +307,17 @@ long remaining_way(const Tube& tube, const Stack& stack, const Stop& stop) {
     side += anticlockwise ? 1 : -1;
   }
   return way + std::abs(stack.goal - place);
+}
+
+void append_move(CollapsingTube& state, HangingRun& run, const Stop& to) {
+  const Stop from = run.stop();
+  const auto append = [&](int beyond) {
+    state.plan.transfers.push_back({{from.bed(), from.place + beyond, from.parked},
+                                    {to.bed(), to.place + beyond, to.parked}});
+  };
+  append(0);
+  for (const int beyond : run.beyond) append(beyond);
+  run.go_to(to);
 }
 
 bool cross(CollapsingTube& state, Crossing crossing) {
