@@ -220,7 +220,8 @@ class CrossingSearch {
   }
 
   void follow(const Node& node, int at) {
-    if (done(node)) {
+    // Any racking may follow an expansion, so the slack must have room both ways.
+    if (done(node) && (collapse_ || may_rack(node, 0))) {
       Node end = node;
       end.closed = true;
       end.before = at;

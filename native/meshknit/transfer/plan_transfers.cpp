@@ -8,6 +8,7 @@
 
 #include "meshknit/core/error.h"
 #include "meshknit/transfer/collapse_shift_expand.h"
+#include "meshknit/transfer/crossing.h"
 #include "meshknit/transfer/pass_search.h"
 #include "meshknit/transfer/three_passes.h"
 #include "meshknit/transfer/transfer_checks.h"
@@ -75,6 +76,13 @@ bool step_nearer(Tube& tube, TransferPlan& plan, Step step) {
   return step == Step::few_stacks && collapse_shift_expand(tube, plan);
 }
 
+long remaining_way(const Tube& tube) {
+  long way = 0;
+  for (const Stack& stack : tube.stacks)
+    way += remaining_way(tube, stack, {stack.side, stack.place, false});
+  return way;
+}
+
 class Planner {
  public:
   Planner(const Tube& tube, PairWaysCache& cache) : tube_(tube), cache_(cache) {}
@@ -82,38 +90,46 @@ class Planner {
   std::optional<TransferPlan> best;
 
   // Step by step, and, if asked for, with a search for the rest of the way after each; given up
-  // where it gets dearer than the best plan so far.
+  // where it gets dearer than the best plan so far, or is about to.
   void plan(Step step, bool search_the_rest) {
     Tube tube = tube_;
     TransferPlan begun;
+    const long whole_way = remaining_way(tube);
     while (!tube.arrived()) {
       const int most = best ? count_passes(*best) - count_passes(begun) : most_passes;
       if (most <= 0) return;
-      if (search_the_rest) {
+      if (search_the_rest && most <= most_passes) {
         if (const std::optional<PassPlan> rest = search_passes(tube, cache_, most)) {
           advance(tube, *rest, begun);
           break;
         }
       }
       if (!step_nearer(tube, begun, step)) return;
+      const long way_made = whole_way - remaining_way(tube);
+      if (best && count_passes(begun) * whole_way > patience * count_passes(*best) * way_made)
+        return;
     }
     if (!best || cost(begun) < cost(*best)) best = std::move(begun);
   }
 
  private:
+  // At its pace so far a plan may seem this much dearer than the best: a search may find a
+  // shorter rest.
+  static constexpr int patience = 2;
+
   const Tube& tube_;
   PairWaysCache& cache_;
 };
 
-// None of the ways is always better: a search makes the rest short, while steps of one kind
-// often share the pass between them.
+// None of the ways is always better: few stacks make fewer transfers, whole tubes often fewer
+// passes. Where whole tubes take many, few stacks at a time take no fewer, and long to plan.
 std::optional<TransferPlan> cheapest_plan(const Tube& tube, PairWaysCache& cache) {
   if (tube.arrived()) return TransferPlan{};
   Planner planner(tube, cache);
   planner.plan(Step::whole_tube, false);
   planner.plan(Step::whole_tube, true);
-  planner.plan(Step::few_stacks, true);
-  planner.plan(Step::few_stacks, false);
+  if (!planner.best || count_passes(*planner.best) <= most_passes)
+    planner.plan(Step::few_stacks, true);
   return planner.best;
 }
 
