@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,9 @@ namespace {
 using namespace meshknit;
 
 constexpr double most_seconds = 10.0;
+
+// Of the processor: what else the machine does is not the surface's fault.
+double own_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 constexpr const char* stages[] = {"graph", "trace", "schedule", "knitout"};
 
@@ -42,11 +46,11 @@ struct Tally {
 void knit(int seed, Tally& tally) {
   const RandomSurface random = random_surface(static_cast<std::uint32_t>(seed));
   const MachineProfile machine = machine_profile("shima_swg091n2");
-  const double begin = seconds();
+  const double begin = own_seconds();
   double last = begin;
   int stage = 0;
   const auto lap = [&] {
-    const double now = seconds();
+    const double now = own_seconds();
     tally.seconds[stage] += now - last;
     tally.slowest[stage].add(seed, now - last);
     last = now;
@@ -80,7 +84,7 @@ void knit(int seed, Tally& tally) {
 }
 
 void measure(int argc, char** argv) {
-  const int count = argc > 1 ? std::stoi(argv[1]) : 100;
+  const int count = argc > 1 ? std::stoi(argv[1]) : 500;
   const int first = argc > 2 ? std::stoi(argv[2]) : 0;
   Tally tally;
   for (int seed = first; seed < first + count; ++seed) knit(seed, tally);

@@ -25,7 +25,7 @@ class PassSequences {
   bool gave_up() const { return looked_at_ > most_looked_at; }
 
  private:
-  static constexpr int most_looked_at = 30000;  // states: bounds the time of one length
+  static constexpr int most_looked_at = 20000;  // states: bounds the time of one length
 
   void extend(int length, int rolls_left);
   std::uint64_t allowed_passes(std::size_t depth, int left);
