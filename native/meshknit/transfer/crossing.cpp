@@ -13,21 +13,6 @@
 namespace meshknit {
 namespace {
 
-int position(const Stop& stop, int racking) {
-  const Needle needle = half_gauge_needle({stop.bed(), stop.place, stop.parked});
-  return needle.index + (needle.bed == Bed::back ? racking : 0);
-}
-
-bool in_order(const Stop& a, const Stop& b, int racking) {
-  if (a.side != b.side) return a.side < b.side;
-  const int ahead = position(b, racking) - position(a, racking);
-  return bed_of_side(a.side) == Bed::front ? ahead >= 0 : ahead <= 0;
-}
-
-bool one_needle(const Stop& a, const Stop& b) {
-  return a.bed() == b.bed() && a.place == b.place && a.parked == b.parked;
-}
-
 // Indices of runs count on round the tube without end, their sides with them. A stretch of
 // them grows (expand: those that have gone) or shrinks (collapse: those that are still to go) one
 // stack at a time at either end. Who hangs where matters only beside its ends.
@@ -295,31 +280,6 @@ class CrossingSearch {
 };
 
 }  // namespace
-
-long remaining_way(const Tube& tube, const Stack& stack, const Stop& stop) {
-  int side = stop.side, place = stop.place;
-  long way = 0;
-  while (side != stack.goal_side) {
-    const bool anticlockwise = side < stack.goal_side;
-    const bool right_end = (bed_of_side(side) == Bed::front) == anticlockwise;
-    const int end = right_end ? tube.right_end : tube.left_end;
-    way += std::abs(end - place) + 2;
-    place = end;
-    side += anticlockwise ? 1 : -1;
-  }
-  return way + std::abs(stack.goal - place);
-}
-
-void append_move(CollapsingTube& state, HangingRun& run, const Stop& to) {
-  const Stop from = run.stop();
-  const auto append = [&](int beyond) {
-    state.plan.transfers.push_back({{from.bed(), from.place + beyond, from.parked},
-                                    {to.bed(), to.place + beyond, to.parked}});
-  };
-  append(0);
-  for (const int beyond : run.beyond) append(beyond);
-  run.go_to(to);
-}
 
 bool cross(CollapsingTube& state, Crossing crossing) {
   const CrossingSearch search(state, crossing);

@@ -68,22 +68,10 @@ class Walk {
   Itinerary way_;
 };
 
-int position(const Stop& stop, int racking) {
-  const Needle needle = half_gauge_needle({stop.bed(), stop.place, stop.parked});
-  return needle.bed == Bed::back ? needle.index + racking : needle.index;
-}
-
-bool one_needle(const Stop& a, const Stop& b) {
-  return a.parked == b.parked && a.place == b.place && a.bed() == b.bed();
-}
-
-// Anticlockwise: the front rightward, the back leftward; a facing neighbour is still in order.
-bool in_order(const Stop& a, const Stop& b, int turn, int racking) {
-  const int sides = b.side + turn - a.side;
-  if (sides < 0) return false;
-  if (sides > 0) return true;
-  const int ahead = position(b, racking) - position(a, racking);
-  return bed_of_side(a.side) == Bed::front ? ahead >= 0 : ahead <= 0;
+// `b` is further round the tube by `turn` sides.
+bool in_order(const Stop& a, Stop b, int turn, int racking) {
+  b.side += turn;
+  return in_order(a, b, racking);
 }
 
 bool within_slack(const Stack& a, const Stop& stop_a, const Stop& stop_b, int racking) {
@@ -95,10 +83,6 @@ bool one_goal(const Stack& a, const Stack& b, int turn) {
 }
 
 }  // namespace
-
-bool operator==(const Stop& a, const Stop& b) {
-  return a.side == b.side && a.place == b.place && a.parked == b.parked;
-}
 
 std::vector<Itinerary> itineraries(const Tube& tube, const Block& block, const Passes& passes,
                                    Ending ending) {

@@ -4,21 +4,12 @@
 #include <vector>
 
 #include "meshknit/transfer/pass.h"
+#include "meshknit/transfer/stop.h"
 #include "meshknit/transfer/tube.h"
 
 namespace meshknit {
 
 constexpr int most_passes = 16;
-
-/// Where a stack hangs between two passes.
-struct Stop {
-  int side = 0;
-  int place = 0;
-  bool parked = false;
-
-  Bed bed() const { return parked ? opposite(bed_of_side(side)) : bed_of_side(side); }
-};
-bool operator==(const Stop& a, const Stop& b);
 
 /// What one stack does in a sequence of passes: stops[k] before pass k, stops[passes] at the
 /// end.

@@ -8,7 +8,6 @@
 
 #include "meshknit/core/error.h"
 #include "meshknit/transfer/collapse_shift_expand.h"
-#include "meshknit/transfer/crossing.h"
 #include "meshknit/transfer/pass_search.h"
 #include "meshknit/transfer/three_passes.h"
 #include "meshknit/transfer/transfer_checks.h"

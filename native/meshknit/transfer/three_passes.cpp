@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "meshknit/transfer/crossing.h"
-
 namespace meshknit {
 namespace {
 
