@@ -102,18 +102,12 @@ class Emitter {
       program_.transfer(half_gauge_needle(transfer.from), half_gauge_needle(transfer.to));
   }
 
-  TransferPlan plan_moves(const ScheduleStep& step) const {
+  TransferPlan plan_moves(const ScheduleStep& step) {
     try {
-      return plan_step_transfers(step, direction_of(step), profile_);
+      return plan_step_transfers(step, transfer_direction(trace_, step), profile_, planner_);
     } catch (const NotKnittable&) {
       refuse_transfers(trace_, step);  // the planner knows loops by number, a modeler by node
     }
-  }
-
-  // A tube that is only moved decreases nothing, so either way will do.
-  Direction direction_of(const ScheduleStep& step) const {
-    return step.last_stitch < step.first_stitch ? Direction::anticlockwise
-                                                : trace_.stitches[step.first_stitch].direction;
   }
 
   void make_stitch(const ScheduleStep& step, int s) {
@@ -173,6 +167,7 @@ class Emitter {
   const MachineProfile& profile_;
   std::vector<YarnUse> yarns_;
   ProgramBuilder program_;
+  TransferPlanner planner_;
   std::vector<Anchors> anchors_;  // that lie on the beds
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "meshknit/core/error.h"
-#include "meshknit/transfer/plan_transfers.h"
 
 namespace meshknit {
 namespace {
@@ -33,18 +32,30 @@ TransferProblem mirrored(const TransferProblem& problem) {
   return image;
 }
 
-TransferPlan plan(const TransferProblem& problem, Direction direction) {
-  if (direction == Direction::anticlockwise) return plan_transfers(problem);
-  TransferPlan plan = plan_transfers(mirrored(problem));
-  for (Transfer& transfer : plan.transfers)
-    transfer = {mirrored(transfer.from), mirrored(transfer.to)};
-  return plan;
+// With the rackings that the machine likes, if there is a way.
+TransferPlan plan_as_liked(const TransferProblem& problem, const MachineProfile& profile,
+                           TransferPlanner& planner) {
+  if (profile.liked_racking < problem.max_racking) {
+    TransferProblem liked = problem;
+    liked.max_racking = profile.liked_racking;
+    try {
+      return planner.plan(liked);
+    } catch (const NotKnittable&) {
+      // The wider rackings remain.
+    }
+  }
+  return planner.plan(problem);
 }
 
 }  // namespace
 
-TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
-                                 const MachineProfile& profile) {
+Direction transfer_direction(const StitchTrace& trace, const ScheduleStep& step) {
+  return step.last_stitch < step.first_stitch ? Direction::anticlockwise
+                                              : trace.stitches[step.first_stitch].direction;
+}
+
+TransferProblem step_transfer_problem(const ScheduleStep& step, Direction direction,
+                                      const MachineProfile& profile) {
   TransferProblem problem;
   bool moves = false;
   for (size_t i = 0; i < step.before.size(); ++i) {
@@ -54,19 +65,23 @@ TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
   }
   if (!moves) return {};
   problem.slack = usual_slack(problem.loops);
-  problem.lowest = step.lowest_place;
-  problem.highest = step.highest_place;
   // Tubes that hang beside bear rackings that stretch a bridge of one needle to the limit
   // (schedule/layout_search.h).
   problem.max_racking = std::min(profile.max_racking, profile.max_stretch - 1);
-  if (profile.liked_racking >= problem.max_racking) return plan(problem, direction);
-  TransferProblem liked = problem;
-  liked.max_racking = profile.liked_racking;
-  try {
-    return plan(liked, direction);
-  } catch (const NotKnittable&) {
-    return plan(problem, direction);
-  }
+  problem.lowest = step.lowest_place;
+  problem.highest = step.highest_place;
+  return direction == Direction::anticlockwise ? problem : mirrored(problem);
+}
+
+TransferPlan plan_step_transfers(const ScheduleStep& step, Direction direction,
+                                 const MachineProfile& profile, TransferPlanner& planner) {
+  const TransferProblem problem = step_transfer_problem(step, direction, profile);
+  if (problem.loops.empty()) return {};
+  TransferPlan plan = plan_as_liked(problem, profile, planner);
+  if (direction == Direction::clockwise)
+    for (Transfer& transfer : plan.transfers)
+      transfer = {mirrored(transfer.from), mirrored(transfer.to)};
+  return plan;
 }
 
 }  // namespace meshknit

@@ -68,22 +68,10 @@ class Walk {
   Itinerary way_;
 };
 
-int position(const Stop& stop, int racking) {
-  const Needle needle = half_gauge_needle({stop.bed(), stop.place, stop.parked});
-  return needle.bed == Bed::back ? needle.index + racking : needle.index;
-}
-
-bool one_needle(const Stop& a, const Stop& b) {
-  return a.parked == b.parked && a.place == b.place && a.bed() == b.bed();
-}
-
-// Anticlockwise: the front rightward, the back leftward; a facing neighbour is still in order.
-bool in_order(const Stop& a, const Stop& b, int turn, int racking) {
-  const int sides = b.side + turn - a.side;
-  if (sides < 0) return false;
-  if (sides > 0) return true;
-  const int ahead = position(b, racking) - position(a, racking);
-  return bed_of_side(a.side) == Bed::front ? ahead >= 0 : ahead <= 0;
+// `b` is further round the tube by `turn` sides.
+bool in_order(const Stop& a, Stop b, int turn, int racking) {
+  b.side += turn;
+  return in_order(a, b, racking);
 }
 
 bool within_slack(const Stack& a, const Stop& stop_a, const Stop& stop_b, int racking) {
@@ -96,10 +84,6 @@ bool one_goal(const Stack& a, const Stack& b, int turn) {
 
 }  // namespace
 
-bool operator==(const Stop& a, const Stop& b) {
-  return a.side == b.side && a.place == b.place && a.parked == b.parked;
-}
-
 std::vector<Itinerary> itineraries(const Tube& tube, const Block& block, const Passes& passes,
                                    Ending ending) {
   return Walk(tube, block, passes, ending).found;
@@ -111,25 +95,29 @@ Itinerary beside(const Itinerary& itinerary, int places) {
   return shifted;
 }
 
+bool compatible_at(const Stack& a, const Stop& stop_a, const Stop& stop_b, int turn,
+                   int racking) {
+  return within_slack(a, stop_a, stop_b, racking) && in_order(stop_a, stop_b, turn, racking);
+}
+
+bool compatible_in(const Pass& pass, const Stack& a, const Stop& from_a, const Stop& to_a,
+                   const Stack& b, const Stop& from_b, const Stop& to_b, int turn) {
+  if (!compatible_at(a, from_a, from_b, turn, pass.racking)) return false;
+  // A loop that goes round an end lands on a new side, whose order is asked at that racking.
+  if (!in_order(to_a, to_b, turn, pass.racking)) return false;
+  const bool were_one = one_needle(from_a, from_b), are_one = one_needle(to_a, to_b);
+  if (were_one != are_one) return are_one && one_goal(a, b, turn) && from_a == to_a;
+  return true;
+}
+
 bool compatible(const Stack& a, const Itinerary& way_a, const Stack& b, const Itinerary& way_b,
                 int turn, const Passes& passes) {
-  const int count = static_cast<int>(passes.size());
-  for (int k = 0; k <= count; ++k) {
-    const Stop &stop_a = way_a.stops[k], &stop_b = way_b.stops[k];
-    const int racking = k < count ? passes[k].racking : 0;
-    if (!within_slack(a, stop_a, stop_b, racking)) return false;
-    if (!in_order(stop_a, stop_b, turn, racking)) return false;
-    // A loop that goes round an end lands on a new side, whose order is asked at that racking.
-    if (k < count && !in_order(way_a.stops[k + 1], way_b.stops[k + 1], turn, racking))
+  const std::size_t count = passes.size();
+  for (std::size_t k = 0; k < count; ++k)
+    if (!compatible_in(passes[k], a, way_a.stops[k], way_a.stops[k + 1], b, way_b.stops[k],
+                       way_b.stops[k + 1], turn))
       return false;
-    if (k == 0) continue;
-    const bool were_one = one_needle(way_a.stops[k - 1], way_b.stops[k - 1]);
-    const bool are_one = one_needle(stop_a, stop_b);
-    if (were_one && !are_one) return false;
-    if (!were_one && are_one && (!one_goal(a, b, turn) || !(way_a.stops[k - 1] == stop_a)))
-      return false;
-  }
-  return true;
+  return compatible_at(a, way_a.stops[count], way_b.stops[count], turn, 0);
 }
 
 }  // namespace meshknit

@@ -1,11 +1,15 @@
 #include "meshknit/transfer/pass_search.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "meshknit/transfer/pass_sequences.h"
 
 namespace meshknit {
 namespace {
+
+// With more loops that go round an end every search is given up.
+constexpr int most_rolling = 8;
 
 std::optional<PassPlan> first_that_works(PassAssigner& assigner,
                                          const std::vector<Passes>& sequences) {
@@ -15,10 +19,21 @@ std::optional<PassPlan> first_that_works(PassAssigner& assigner,
   return std::nullopt;
 }
 
-// Legs are even rackings only, with which no loop changes beds.
-bool goes_round_an_end(const Tube& tube) {
-  return std::any_of(tube.stacks.begin(), tube.stacks.end(),
-                     [](const Stack& stack) { return stack.roll() != 0; });
+int count_rolling(const Tube& tube) {
+  return static_cast<int>(std::count_if(tube.stacks.begin(), tube.stacks.end(),
+                                        [](const Stack& stack) { return stack.roll() != 0; }));
+}
+
+// Of the stack with the longest way, were it alone: every other pass is one back, and a loop
+// that goes round an end needs none.
+int fewest_passes(const Tube& tube) {
+  const int places = std::max(1, (tube.max_racking + 1) / 2);  // a pass
+  int most = 0;
+  for (const Stack& stack : tube.stacks) {
+    const int sideways = (std::abs(stack.goal - stack.place) + places - 1) / places;
+    most = std::max({most, sideways, std::abs(stack.roll())});
+  }
+  return most;
 }
 
 }  // namespace
@@ -33,16 +48,21 @@ void advance(Tube& tube, const PassPlan& step, TransferPlan& plan) {
   merge_stacks(tube);
 }
 
-std::optional<PassPlan> search_passes(const Tube& tube) {
+std::optional<PassPlan> search_passes(const Tube& tube, PairWaysCache& cache, int most) {
+  const int rolling = count_rolling(tube);
+  if (fewest_passes(tube) > most || rolling > most_rolling) return std::nullopt;
   PassAssigner assigner(tube);
-  bool all = true;
-  for (int length = 1; length <= most_passes; ++length) {
-    PassSequences sequences;
-    if (all) sequences = sequences_of_length(tube, length);
-    all = all && !sequences.gave_up;
-    if (!all && goes_round_an_end(tube)) return std::nullopt;
-    if (!all) sequences.sequences = sequences_in_legs(tube, length);
-    if (auto plan = first_that_works(assigner, sequences.sequences)) return plan;
+  PassSequences sequences(tube, cache);
+  for (int length = sequences.least_length(); length <= std::min(most, most_passes); ++length) {
+    const bool all = !sequences.gave_up();
+    if (all) {
+      if (auto plan = first_that_works(assigner, sequences.of_length(length))) return plan;
+    } else if (rolling > 0) {
+      // Legs are even rackings only, with which no loop changes beds.
+      return std::nullopt;
+    }
+    if (!sequences.gave_up()) continue;
+    if (auto plan = first_that_works(assigner, sequences_in_legs(tube, length))) return plan;
   }
   return std::nullopt;
 }

@@ -9,9 +9,6 @@
 namespace meshknit {
 namespace {
 
-// Bounds the time of one plan (some 20 ms); longer plans are found in legs or step by step.
-constexpr int most_looked_at = 15000;
-
 std::vector<Reach> distinct_reaches(const Tube& tube) {
   std::map<std::vector<int>, Reach> distinct;
   for (const Stack& stack : tube.stacks) distinct.emplace(Reach::key(stack), Reach(stack));
@@ -31,65 +28,96 @@ void sort_by_travel(std::vector<Passes>& sequences) {
   sequences = std::move(sorted);
 }
 
-class Enumeration {
- public:
-  Enumeration(const Tube& tube, int length)
-      : length_(length), max_racking_(std::min(tube.max_racking, 15)) {
-    int rolls = 0;
-    for (const Stack& stack : tube.stacks) rolls += stack.roll() != 0;
-    reaches_.resize(length + 1, distinct_reaches(tube));
-    extend(rolls);
-    if (!result.gave_up) sort_by_travel(result.sequences);
+// Of one kind of pair: the states in which it may be after the passes so far.
+using States = std::vector<int>;
+
+}  // namespace
+
+PassSequences::PassSequences(const Tube& tube, PairWaysCache& cache)
+    : max_racking_(std::min(tube.max_racking, PairWays::most_racking)) {
+  for (const Stack& stack : tube.stacks) rolls_ += stack.roll() != 0;
+  std::map<std::vector<int>, const PairWays*> kinds;
+  const std::vector<Block> blocks = cut_into_blocks(tube);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const bool closes = i + 1 == blocks.size();
+    const Stack& a = tube.stacks[blocks[i].last];
+    const Stack& b = tube.stacks[blocks[closes ? 0 : i + 1].first];
+    const int turn = closes ? 2 : 0;
+    kinds.emplace(PairWays::key(a, b, turn, max_racking_),
+                  &cache.ways(a, b, turn, max_racking_));
   }
-  PassSequences result;
+  for (const auto& kind : kinds) pairs_.push_back(kind.second);
+}
 
- private:
-  void extend(int rolls_left) {
-    const std::size_t depth = passes_.size();
-    const int left = length_ - static_cast<int>(depth);
-    std::uint64_t allowed = ~std::uint64_t{0};
-    if (left == 1)
-      for (const Reach& reach : reaches_[depth]) allowed &= reach.last_passes(max_racking_);
-    if (!passes_.empty()) allowed &= ~pass_bit(passes_.back());
-    if (allowed == 0) return;
+int PassSequences::least_length() const {
+  int least = 0;
+  for (const PairWays* pair : pairs_) least = std::max(least, pair->passes_home(0));
+  return least;
+}
 
-    for (const Bed from : {Bed::front, Bed::back}) {
-      for (int racking = -max_racking_; racking <= max_racking_; ++racking) {
-        const Pass pass{from, racking};
-        if ((allowed & pass_bit(pass)) == 0 || (changes_side(pass) && rolls_left == 0))
-          continue;
-        passes_.push_back(pass);
-        if (left == 1)
-          result.sequences.push_back(passes_);
-        else if (possible_after(pass, depth, left - 1))
-          extend(rolls_left - (changes_side(pass) ? 1 : 0));
-        passes_.pop_back();
-        if (result.gave_up) return;
-      }
+std::vector<Passes> PassSequences::of_length(int length) {
+  looked_at_ = 0;
+  found_.clear();
+  passes_.clear();
+  states_.assign(length + 1, std::vector<States>(pairs_.size()));
+  for (States& states : states_[0]) states = {0};
+  extend(length, rolls_);
+  sort_by_travel(found_);
+  return found_;
+}
+
+void PassSequences::extend(int length, int rolls_left) {
+  const std::size_t depth = passes_.size();
+  const int left = length - static_cast<int>(depth);
+  if (left == 0) {
+    found_.push_back(passes_);
+    return;
+  }
+  const std::uint64_t allowed = allowed_passes(depth, left);
+  for (const Bed from : {Bed::front, Bed::back}) {
+    for (int racking = -max_racking_; racking <= max_racking_; ++racking) {
+      const Pass pass{from, racking};
+      const int number = PairWays::number(pass);
+      if (((allowed >> number) & 1) == 0 || (changes_side(pass) && rolls_left == 0)) continue;
+      if (gave_up()) return;
+      for (std::size_t i = 0; i < pairs_.size(); ++i) go_on(i, depth, number, left - 1);
+      passes_.push_back(pass);
+      extend(length, rolls_left - (changes_side(pass) ? 1 : 0));
+      passes_.pop_back();
     }
   }
+}
 
-  // Fills the reaches of the next depth as far as they may still come home.
-  bool possible_after(const Pass& pass, std::size_t depth, int passes_left) {
-    if (++looked_at_ > most_looked_at) {
-      result.gave_up = true;
-      result.sequences.clear();
-      return false;
+// The passes after which every pair could still come home in time, as a bit mask.
+std::uint64_t PassSequences::allowed_passes(std::size_t depth, int left) {
+  std::uint64_t allowed = ~std::uint64_t{0};
+  if (depth > 0) allowed &= ~(std::uint64_t{1} << PairWays::number(passes_.back()));
+  for (std::size_t i = 0; i < pairs_.size() && allowed != 0; ++i) {
+    std::uint64_t own = 0;
+    for (const int state : states_[depth][i]) {
+      for (int p = 0; p < PairWays::all_passes; ++p)
+        if (pairs_[i]->passes_home_after(state, p) < left) own |= std::uint64_t{1} << p;
     }
-    for (std::size_t i = 0; i < reaches_[depth].size(); ++i) {
-      Reach& after = reaches_[depth + 1][i];
-      after = reaches_[depth][i];
-      after.pass(pass);
-      if (!after.may_come_home(passes_left, max_racking_)) return false;
-    }
-    return true;
+    looked_at_ += static_cast<int>(states_[depth][i].size());
+    allowed &= own;
   }
+  return allowed;
+}
 
-  int length_, max_racking_;
-  int looked_at_ = 0;
-  std::vector<std::vector<Reach>> reaches_;  // by depth
-  Passes passes_;
-};
+void PassSequences::go_on(std::size_t pair, std::size_t depth, int pass, int left) {
+  const PairWays& ways = *pairs_[pair];
+  States& after = states_[depth + 1][pair];
+  after.clear();
+  for (const int state : states_[depth][pair]) {
+    const auto [begin, end] = ways.range(state, pass);
+    for (int i = begin; i < end; ++i)
+      if (ways.passes_home(ways.next()[i]) <= left) after.push_back(ways.next()[i]);
+  }
+  std::sort(after.begin(), after.end());
+  after.erase(std::unique(after.begin(), after.end()), after.end());
+}
+
+namespace {
 
 // Rising and falling runs of even rackings; runs of one appear once.
 std::vector<std::vector<int>> racking_runs(int max_racking) {
@@ -143,10 +171,6 @@ class Legs {
 };
 
 }  // namespace
-
-PassSequences sequences_of_length(const Tube& tube, int length) {
-  return Enumeration(tube, length).result;
-}
 
 std::vector<Passes> sequences_in_legs(const Tube& tube, int length) {
   return Legs(tube, length).found;

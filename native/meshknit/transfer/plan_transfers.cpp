@@ -9,6 +9,7 @@
 #include "meshknit/core/error.h"
 #include "meshknit/transfer/collapse_shift_expand.h"
 #include "meshknit/transfer/pass_search.h"
+#include "meshknit/transfer/three_passes.h"
 #include "meshknit/transfer/transfer_checks.h"
 
 namespace meshknit {
@@ -62,45 +63,89 @@ std::tuple<int, int, std::size_t> cost(const TransferPlan& plan) {
   return {count_passes(plan), racking_travel(passes), plan.transfers.size()};
 }
 
-// Collapse-shift-expand until all loops have arrived, or until a search finds the rest of the
-// way.
-std::optional<TransferPlan> plan_in_steps(Tube tube, bool search_the_rest) {
-  TransferPlan plan;
-  while (!tube.arrived()) {
-    std::optional<PassPlan> step;
-    if (search_the_rest && !plan.transfers.empty()) step = search_passes(tube);
-    if (!step) step = collapse_shift_expand(tube);
-    if (!step) return std::nullopt;
-    advance(tube, *step, plan);
+// The way of moving that is tried first; the other one steps in where it is stuck.
+enum class Step { whole_tube, few_stacks };
+
+bool step_nearer(Tube& tube, TransferPlan& plan, Step step) {
+  if (step == Step::whole_tube && collapse_shift_expand(tube, plan)) return true;
+  if (const std::optional<PassPlan> passes = three_passes(tube)) {
+    advance(tube, *passes, plan);
+    return true;
   }
-  return plan;
+  return step == Step::few_stacks && collapse_shift_expand(tube, plan);
 }
 
-std::optional<TransferPlan> cheapest_plan(Tube tube) {
-  if (tube.arrived()) return TransferPlan{};
-  if (const std::optional<PassPlan> whole = search_passes(tube)) {
-    TransferPlan plan;
-    advance(tube, *whole, plan);
-    return plan;
+long remaining_way(const Tube& tube) {
+  long way = 0;
+  for (const Stack& stack : tube.stacks)
+    way += remaining_way(tube, stack, {stack.side, stack.place, false});
+  return way;
+}
+
+class Planner {
+ public:
+  Planner(const Tube& tube, PairWaysCache& cache) : tube_(tube), cache_(cache) {}
+
+  std::optional<TransferPlan> best;
+
+  // Step by step, and, if asked for, with a search for the rest of the way after each; given up
+  // where it gets dearer than the best plan so far, or is about to.
+  void plan(Step step, bool search_the_rest) {
+    Tube tube = tube_;
+    TransferPlan begun;
+    const long whole_way = remaining_way(tube);
+    while (!tube.arrived()) {
+      const int most = best ? count_passes(*best) - count_passes(begun) : most_passes;
+      if (most <= 0) return;
+      if (search_the_rest && most <= most_passes) {
+        if (const std::optional<PassPlan> rest = search_passes(tube, cache_, most)) {
+          advance(tube, *rest, begun);
+          break;
+        }
+      }
+      if (!step_nearer(tube, begun, step)) return;
+      const long way_made = whole_way - remaining_way(tube);
+      if (best && count_passes(begun) * whole_way > patience * count_passes(*best) * way_made)
+        return;
+    }
+    if (!best || cost(begun) < cost(*best)) best = std::move(begun);
   }
-  // Neither is always better: a search makes the rest short, while steps of one kind often
-  // share the pass between them.
-  const std::optional<TransferPlan> searched = plan_in_steps(tube, true);
-  const std::optional<TransferPlan> stepped = plan_in_steps(tube, false);
-  if (!searched || !stepped) return searched ? searched : stepped;
-  return cost(*stepped) < cost(*searched) ? stepped : searched;
+
+ private:
+  // At its pace so far a plan may seem this much dearer than the best: a search may find a
+  // shorter rest.
+  static constexpr int patience = 2;
+
+  const Tube& tube_;
+  PairWaysCache& cache_;
+};
+
+// None of the ways is always better: few stacks make fewer transfers, whole tubes often fewer
+// passes. Where whole tubes take many, few stacks at a time take no fewer, and long to plan.
+std::optional<TransferPlan> cheapest_plan(const Tube& tube, PairWaysCache& cache) {
+  if (tube.arrived()) return TransferPlan{};
+  Planner planner(tube, cache);
+  planner.plan(Step::whole_tube, false);
+  planner.plan(Step::whole_tube, true);
+  if (!planner.best || count_passes(*planner.best) <= most_passes)
+    planner.plan(Step::few_stacks, true);
+  return planner.best;
 }
 
 }  // namespace
 
 TransferPlan plan_transfers(const TransferProblem& problem) {
+  return TransferPlanner().plan(problem);
+}
+
+TransferPlan TransferPlanner::plan(const TransferProblem& problem) {
   if (const Problems wrong = check_transfer_form(problem); !wrong.empty())
     throw InvalidInput(wrong.front().message);
 
   if (Problems stretched = stretched_layouts(problem); !stretched.empty())
     throw NotKnittable(std::move(stretched));
 
-  const std::optional<TransferPlan> found = cheapest_plan(make_tube(problem));
+  const std::optional<TransferPlan> found = cheapest_plan(make_tube(problem), cache_);
   if (!found) throw no_way();
   const TransferPlan& plan = *found;
   if (const Problems broken = check_transfer_plan(problem, plan); !broken.empty())

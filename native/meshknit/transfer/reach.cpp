@@ -63,22 +63,6 @@ bool Reach::may_come_home(int passes, int max_racking) const {
   return false;
 }
 
-std::uint64_t Reach::last_passes(int max_racking) const {
-  if (home()) return ~std::uint64_t{0};
-  const Bed own = bed_of_side(first_side_ + direction_ * last_);
-  std::uint64_t passes = 0;
-  for (int racking = -max_racking; racking <= max_racking; ++racking) {
-    // Home comes a stack parked on the other bed, or one on a hook there that goes round the
-    // last end.
-    const Pass pass{opposite(own), racking};
-    if (changes_side(pass) && last_ == 0) continue;
-    const std::uint64_t set =
-        changes_side(pass) ? sides_[last_ - 1].hooks : sides_[last_].parked;
-    if ((set & bit(goal_offset_ - shift_of(pass))) != 0) passes |= pass_bit(pass);
-  }
-  return passes;
-}
-
 std::vector<int> Reach::key(const Stack& stack) {
   return {((stack.side % 2) + 2) % 2, stack.roll(), stack.goal - stack.place};
 }

@@ -9,12 +9,6 @@
 
 namespace meshknit {
 
-/// Bit of a pass in a set of passes.
-/// Requires: |racking| <= 15.
-inline std::uint64_t pass_bit(const Pass& pass) {
-  return std::uint64_t{1} << (pass.racking + (pass.from == Bed::front ? 16 : 48));
-}
-
 /// The places where a stack could be after some passes if it were alone on the machine,
 /// relative to where it began: a quick test that most sequences of passes fail. Sets are bit
 /// masks; bit 32 is the beginning.
@@ -27,9 +21,6 @@ class Reach {
   bool home() const;
   /// False if `passes` more passes of at most `max_racking` cannot bring the stack home.
   bool may_come_home(int passes, int max_racking) const;
-
-  /// The passes that bring the stack home, as a bit mask of pass_bit; all bits if it is home.
-  std::uint64_t last_passes(int max_racking) const;
 
   /// Stacks with equal keys reach alike.
   static std::vector<int> key(const Stack& stack);

@@ -28,7 +28,8 @@ class Search {
           if (holds(state, racking))
             for (const Bed bed : {Bed::front, Bed::back})
               for (State& after : one_pass(state, bed, racking))
-                if (seen.insert(after).second) next.push_back(std::move(after));
+                if (passes + 1 + passes_left(after) < limit && seen.insert(after).second)
+                  next.push_back(std::move(after));
       front = std::move(next);
     }
   }
@@ -36,6 +37,19 @@ class Search {
 
  private:
   int size() const { return static_cast<int>(problem_.loops.size()); }
+
+  // At least so many passes are still to come: one for each direction that some loop must take.
+  int passes_left(const State& state) const {
+    bool needed[2] = {false, false};  // from the front bed, from the back bed
+    for (int i = 0; i < size(); ++i) {
+      const TransferLoop& loop = problem_.loops[i];
+      if (state[i] == Place{loop.to_bed, loop.to, false}) continue;
+      const bool on_goal_bed = state[i].bed == loop.to_bed;
+      needed[state[i].bed == Bed::back] = true;
+      if (on_goal_bed) needed[state[i].bed == Bed::front] = true;  // there and back
+    }
+    return needed[0] + needed[1];
+  }
 
   static int position(const Place& place, int racking) {
     const Needle needle = half_gauge_needle(place);

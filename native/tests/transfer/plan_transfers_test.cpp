@@ -125,11 +125,12 @@ TEST(PlanTransfers, ThePlanIsTheSameEveryTime) {
 void expect_plans(std::uint64_t seed, int problems, int most_loops, int most_offset,
                   int most_rolls) {
   Lcg lcg(seed);
+  TransferPlanner planner;
   for (int i = 0; i < problems; ++i) {
     const TransferProblem problem = random_problem(lcg, most_loops, most_offset, most_rolls);
     ASSERT_TRUE(check_transfer_form(problem).empty()) << i;
     TransferPlan plan;
-    ASSERT_NO_THROW(plan = plan_transfers(problem)) << i;
+    ASSERT_NO_THROW(plan = planner.plan(problem)) << i;
     ASSERT_TRUE(check_transfer_plan(problem, plan).empty()) << i;
   }
 }
