@@ -17,10 +17,18 @@ constexpr double carried_on = 0.7;
 // A node that would move less than this stays where it is, mm.
 constexpr double still = 2e-3;
 
+// Cosine of the angle between two nodes' triangles from which on the way over the surface is measured:
+// bent less, it is at most a hundredth longer than the straight one.
+constexpr double hardly_bent = 0.95;
+
 struct Spring {
   int a, b;
   double rest;
 };
+
+Eigen::Vector3d normal_of(const TriangleMesh& mesh, int face) {
+  return mesh.calc_face_normal(TriangleMesh::FaceHandle(face));
+}
 
 }  // namespace
 
@@ -38,6 +46,8 @@ void relax_nodes(const TriangleMesh& mesh, const std::vector<double>& time,
     springs.push_back({c[0], c[1], 2.0 * graph.stitch_height});
     has_above[c[0]] = has_below[c[1]] = 1;
   }
+  std::vector<Eigen::Vector3d> normal;
+  for (const int face : faces) normal.push_back(normal_of(mesh, face));
   std::vector<Eigen::Vector3d> pull(n, Eigen::Vector3d::Zero());
   for (int round = 0; round < rounds; ++round) {
     if (progress) progress(static_cast<double>(round) / rounds);
@@ -46,6 +56,13 @@ void relax_nodes(const TriangleMesh& mesh, const std::vector<double>& time,
       const Eigen::Vector3d ab = graph.nodes[s.b].position - graph.nodes[s.a].position;
       const double length = ab.norm();
       if (!(length > 0.0)) continue;
+      if (normal[s.a].dot(normal[s.b]) < hardly_bent) {
+        const Section way = section(mesh, {faces[s.a], graph.nodes[s.a].position},
+                                    {faces[s.b], graph.nodes[s.b].position});
+        pull[s.a] += step * (way.length - s.rest) * way.from_first;
+        pull[s.b] += step * (way.length - s.rest) * way.from_last;
+        continue;
+      }
       const Eigen::Vector3d force = step * (1.0 - s.rest / length) * ab;
       pull[s.a] += force;
       pull[s.b] -= force;
@@ -54,6 +71,7 @@ void relax_nodes(const TriangleMesh& mesh, const std::vector<double>& time,
       if (!has_below[i] || !has_above[i] || pull[i].squaredNorm() < still * still) continue;
       const FacePoint moved = walk(mesh, {faces[i], graph.nodes[i].position}, pull[i]);
       if (moved.face < 0) continue;  // over a rim: the rows there are the boundaries' own
+      if (moved.face != faces[i]) normal[i] = normal_of(mesh, moved.face);
       faces[i] = moved.face;
       graph.nodes[i].position = moved.position;
     }
