@@ -1,7 +1,9 @@
 #include "meshknit/remesh/section_length.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <limits>
+#include <utility>
 
 namespace meshknit {
 namespace {
@@ -70,14 +72,24 @@ Section section(const TriangleMesh& mesh, const FacePoint& from, const FacePoint
   if (from.face == to.face) return shortest;
   const Eigen::Vector3d plane =
       straight.cross(normal_of(mesh, from.face) + normal_of(mesh, to.face));
-  // Over a sharp edge the way may begin backwards: try both, the shorter counts.
-  double most = most_detour * distance;
+  // Over a sharp edge the way may begin backwards: both are tried, the likely one first, and the
+  // shorter counts.
+  std::array<TriangleMesh::HalfedgeHandle, 2> out;
+  std::array<double, 2> ahead = {0.0, 0.0};
+  int count = 0;
   auto h = mesh.halfedge_handle(TriangleMesh::FaceHandle(from.face));
-  for (int k = 0; k < 3; ++k, h = mesh.next_halfedge_handle(h)) {
-    const double a = plane.dot(mesh.point(mesh.from_vertex_handle(h)) - from.position);
-    const double b = plane.dot(mesh.point(mesh.to_vertex_handle(h)) - from.position);
+  for (int k = 0; k < 3 && count < 2; ++k, h = mesh.next_halfedge_handle(h)) {
+    const Eigen::Vector3d u = mesh.point(mesh.from_vertex_handle(h)) - from.position;
+    const Eigen::Vector3d w = mesh.point(mesh.to_vertex_handle(h)) - from.position;
+    const double a = plane.dot(u), b = plane.dot(w);
     if ((a < 0.0) == (b < 0.0)) continue;
-    const Section way = section_from(mesh, h, from, to, plane, most);
+    out[count] = h;
+    ahead[count++] = straight.dot(u + a / (a - b) * (w - u));
+  }
+  if (ahead[1] > ahead[0]) std::swap(out[0], out[1]);
+  double most = most_detour * distance;
+  for (int k = 0; k < count; ++k) {
+    const Section way = section_from(mesh, out[k], from, to, plane, most);
     if (way.length >= most) continue;
     shortest = way;
     most = way.length;

@@ -41,12 +41,22 @@ class SurfaceSprings {
              const std::function<void(double)>& progress = {});
 
  private:
+  struct Force {
+    Eigen::Vector3d on_a, on_b;
+  };
+  struct Motion {
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();  // of all its springs
+    Eigen::Vector3d pull = Eigen::Vector3d::Zero();   // with what is carried on
+    bool moved = false;                               // in the last round
+  };
+
+  Force force(const Spring& spring) const;
   bool bends(int a, int b) const;
 
   const TriangleMesh& mesh_;
   std::vector<FacePoint> points_;
   std::vector<Eigen::Vector3d> normals_;  // of the points' triangles
-  std::vector<Eigen::Vector3d> pull_;     // scratch of relax
+  std::vector<Motion> motion_;            // scratch of relax
 };
 
 }  // namespace meshknit
