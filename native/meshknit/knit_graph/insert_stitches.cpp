@@ -11,19 +11,19 @@ bool is_one_to_one(const EditableGraph& graph, int node, Side side) {
          graph.links(graph.links(node, side).front(), opposite(side)).size() == 1;
 }
 
-bool is_junction(const EditableGraph& graph, int node, Side side) {
-  if (graph.is_junction(graph.row(node), side)) return true;
-  for (const int other : graph.links(node, side))
-    if (graph.is_junction(graph.row(other), opposite(side))) return true;
+bool is_below_junction(const EditableGraph& graph, int node) {
+  if (graph.is_junction(graph.row(node), Side::above)) return true;
+  for (const int other : graph.links(node, Side::above))
+    if (graph.is_junction(graph.row(other), Side::below)) return true;
   return false;
 }
 
-// A short row may turn at this node, with its neighbour on the outside.
-bool may_turn(const EditableGraph& graph, int node, int outside, int beyond, Side side) {
+// A short row may turn above this node, with its neighbour on the outside.
+bool may_turn(const EditableGraph& graph, int node, int outside, int beyond) {
   for (const int n : {node, outside, beyond})
     if (n < 0 || !is_calm(graph, n)) return false;
-  return is_one_to_one(graph, node, side) && is_one_to_one(graph, outside, side) &&
-         !is_junction(graph, outside, side);
+  return is_one_to_one(graph, node, Side::above) &&
+         is_one_to_one(graph, outside, Side::above) && !is_below_junction(graph, outside);
 }
 
 // A stitch may be increased (side above) or decreased (side below) into two.
@@ -61,7 +61,7 @@ bool is_calm(const EditableGraph& graph, int node) {
   return true;
 }
 
-std::vector<int> insert_short_row(EditableGraph& graph, int first, int count, Side side) {
+std::vector<int> insert_short_row(EditableGraph& graph, int first, int count) {
   if (count < fewest_between_turns) return {};
   const int row = graph.row(first);
   if (graph.is_closed(row) && count + fewest_between_turns > graph.row_size(row)) return {};
@@ -70,22 +70,22 @@ std::vector<int> insert_short_row(EditableGraph& graph, int first, int count, Si
     run.push_back(graph.next(run.back()));
   if (static_cast<int>(run.size()) < count) return {};
   for (const int node : run)
-    if (graph.links(node, side).size() == 0 || is_junction(graph, node, side)) return {};
+    if (graph.links(node, Side::above).size() == 0 || is_below_junction(graph, node)) return {};
   const int before = graph.previous(first), after = graph.next(run.back());
   if (before < 0 || after < 0) return {};
-  if (!may_turn(graph, first, before, graph.previous(before), side) ||
-      !may_turn(graph, run.back(), after, graph.next(after), side))
+  if (!may_turn(graph, first, before, graph.previous(before)) ||
+      !may_turn(graph, run.back(), after, graph.next(after)))
     return {};
 
-  const int added_row = graph.add_row(row, side);
+  const int added_row = graph.add_row(row, Side::above);
   std::vector<int> added;
   for (const int node : run) {
     const int made = graph.add_node(added_row, added.empty() ? -1 : added.back());
-    const Links beyond = graph.links(node, side);
-    graph.set_links(made, side, beyond);
-    for (const int other : beyond) graph.replace_link(other, opposite(side), node, made);
-    graph.set_links(made, opposite(side), Links{{node, -1}});
-    graph.set_links(node, side, Links{{made, -1}});
+    const Links beyond = graph.links(node, Side::above);
+    graph.set_links(made, Side::above, beyond);
+    for (const int other : beyond) graph.replace_link(other, Side::below, node, made);
+    graph.set_links(made, Side::below, Links{{node, -1}});
+    graph.set_links(node, Side::above, Links{{made, -1}});
     added.push_back(made);
   }
   return added;

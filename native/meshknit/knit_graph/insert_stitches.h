@@ -14,11 +14,11 @@ inline constexpr int fewest_between_turns = 3;
 bool is_calm(const EditableGraph& graph, int node);
 
 /// A new short row between `count` neighbouring nodes, `first` and those after it, and what they have
-/// columns to on this side: every column there is divided in two. Returns its nodes in yarn order.
+/// columns up to: every column there is divided in two. Returns its nodes in yarn order.
 /// Changes nothing and returns none where Properties 1-6 would not hold, or where turns would come
 /// too near to each other: the row needs three nodes and room for three between its turns and others,
-/// 1-1 columns at its ends and beside them, and no junction on that side.
-std::vector<int> insert_short_row(EditableGraph& graph, int first, int count, Side side);
+/// 1-1 columns at its ends and beside them, and no split or merge right above.
+std::vector<int> insert_short_row(EditableGraph& graph, int first, int count);
 
 /// On which side of a new stitch the loop lies that it shares an increase or decrease with.
 enum class Beside { previous, next };
