@@ -11,19 +11,11 @@ bool is_one_to_one(const EditableGraph& graph, int node, Side side) {
          graph.links(graph.links(node, side).front(), opposite(side)).size() == 1;
 }
 
-bool is_below_junction(const EditableGraph& graph, int node) {
-  if (graph.is_junction(graph.row(node), Side::above)) return true;
-  for (const int other : graph.links(node, Side::above))
-    if (graph.is_junction(graph.row(other), Side::below)) return true;
-  return false;
-}
-
 // A short row may turn above this node, with its neighbour on the outside.
 bool may_turn(const EditableGraph& graph, int node, int outside, int beyond) {
   for (const int n : {node, outside, beyond})
     if (n < 0 || !is_calm(graph, n)) return false;
-  return is_one_to_one(graph, node, Side::above) &&
-         is_one_to_one(graph, outside, Side::above) && !is_below_junction(graph, outside);
+  return is_one_to_one(graph, node, Side::above) && is_one_to_one(graph, outside, Side::above);
 }
 
 // A stitch may be increased (side above) or decreased (side below) into two.
@@ -64,13 +56,14 @@ bool is_calm(const EditableGraph& graph, int node) {
 std::vector<int> insert_short_row(EditableGraph& graph, int first, int count) {
   if (count < fewest_between_turns) return {};
   const int row = graph.row(first);
+  if (graph.is_junction(row, Side::above)) return {};
   if (graph.is_closed(row) && count + fewest_between_turns > graph.row_size(row)) return {};
   std::vector<int> run = {first};
   while (static_cast<int>(run.size()) < count && graph.next(run.back()) >= 0)
     run.push_back(graph.next(run.back()));
   if (static_cast<int>(run.size()) < count) return {};
   for (const int node : run)
-    if (graph.links(node, Side::above).size() == 0 || is_below_junction(graph, node)) return {};
+    if (graph.links(node, Side::above).size() == 0) return {};
   const int before = graph.previous(first), after = graph.next(run.back());
   if (before < 0 || after < 0) return {};
   if (!may_turn(graph, first, before, graph.previous(before)) ||

@@ -167,6 +167,11 @@ TEST(InsertWale, LeavesShapedStitchesAlone) {
   EXPECT_TRUE(insert_wale(editable, 18, 1, Beside::previous, Beside::previous).empty());
   EXPECT_TRUE(insert_wale(editable, 9, 1, Beside::previous, Beside::next).empty());
   EXPECT_FALSE(insert_wale(editable, 22, 1, Beside::previous, Beside::previous).empty());
+
+  // Node 18 joins two loops: it must not make two as well, but its neighbour 19 may.
+  EditableGraph narrowing(shaped_tube(8, {links(8), "||A||||", links(7), links(7)}));
+  EXPECT_TRUE(insert_wale(narrowing, 25, 1, Beside::previous, Beside::previous).empty());
+  EXPECT_FALSE(insert_wale(narrowing, 25, 1, Beside::next, Beside::previous).empty());
 }
 
 TEST(InsertStitches, AnywhereAndAnyNumberCanBeKnit) {
