@@ -13,7 +13,7 @@ enum class Side { below = 0, above = 1 };
 constexpr Side opposite(Side side) { return side == Side::below ? Side::above : Side::below; }
 
 /// A knit graph whose topology can be changed a stitch at a time, and changed back. It knows who is
-/// joined to whom; where nodes lie is the caller's. Nodes keep their numbers, new ones are added at the end.
+/// joined to whom; where nodes lie is the caller's. Nodes keep their numbers, new ones come after them.
 class EditableGraph {
  public:
   /// Columns of a node on one side: at most two, in yarn order of their row.

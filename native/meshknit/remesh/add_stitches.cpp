@@ -11,8 +11,8 @@ namespace {
 // An edge that is stretched more than this, as a fraction of its wanted length, is worth a trial.
 constexpr double stretched = 0.12;
 
-// A row or wale is tried along all neighbouring edges where so much of a stitch is missing; first long, then
-// short.
+// A row or wale is tried along all neighbouring edges where so much of a stitch is missing: first the
+// longer way, then the shorter.
 constexpr std::array<double, 2> missing = {0.25, 0.6};
 
 // Its ends are moved by so many stitches where they cannot be as they should.
@@ -20,7 +20,7 @@ constexpr std::array<int, 6> shifts = {0, 1, -1, 2, -2, 3};
 
 constexpr int longest = 60;
 
-// By how much the sum of squared errors must fall: as much as two edges have that are a quarter too long.
+// By how much the sum of squared errors must fall: what two edges have that are a quarter too long.
 constexpr double price = 0.12;
 
 constexpr int passes = 3;
@@ -135,8 +135,8 @@ class StitchAdder {
     return done;
   }
 
-  // Inserts stitches, each half way between the nodes that `ends` names, and takes them back if that does
-  // not pay.
+  // Inserts stitches, each half way between the nodes that `ends` names, and takes them back if that
+  // does not pay.
   template <class Insert, class Ends>
   bool pays(const Insert& insert, const Ends& ends) {
     std::vector<int> near;

@@ -27,8 +27,8 @@ Eigen::Vector3d direction(const Eigen::Vector3d& way, const Eigen::Vector3d& oth
   return length > 0.0 ? Eigen::Vector3d(way / length) : otherwise;
 }
 
-// Walks on in the plane from a triangle's edge until the end's triangle. Its length is infinite if that is
-// not met before the way is longer than `most`.
+// Walks on in the plane from a triangle's edge until the end's triangle. Its length is infinite if that
+// is not met before the way is longer than `most`.
 Section section_from(const TriangleMesh& mesh, TriangleMesh::HalfedgeHandle out,
                      const FacePoint& from, const FacePoint& to, const Eigen::Vector3d& plane,
                      double most) {
