@@ -138,7 +138,7 @@ class MESHKNIT_PG_scene(bpy.types.PropertyGroup):
     )
     relax: BoolProperty(
         name="Even out stitches",
-        description="Move stitches along the surface until their sizes are as even as they can be",
+        description="Move stitches along the surface, and add some where they stretch, for even sizes",
         default=DEFAULTS.relax,
         update=_touched,
     )

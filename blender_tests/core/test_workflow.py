@@ -73,7 +73,7 @@ def test_the_graphs_report_tells_how_long_edges_are_and_what_is_irregular():
     assert report["irregular"] <= shaped
 
 
-def test_relaxing_moves_stitches_and_keeps_their_links():
+def test_evening_out_moves_stitches_and_adds_none_to_a_plain_tube():
     model = model_of(*meshes.tube())
     relaxed = run(model, "graph").results["graph"].value
     peeled = run(model, "graph", replace(SETTINGS, relax=False)).results["graph"].value

@@ -11,5 +11,5 @@ class Settings:
 
     stitch_width: float = 3.66  # l_r
     stitch_height: float = 1.73  # l_c
-    relax: bool = True  # move the graph's nodes on the surface afterwards
+    relax: bool = True  # even edges out afterwards
     machine: Machine = field(default_factory=Machine)

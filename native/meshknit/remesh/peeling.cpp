@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "meshknit/core/error.h"
+#include "meshknit/remesh/even_edges.h"
 #include "meshknit/remesh/finish_graph.h"
 #include "meshknit/remesh/junction.h"
-#include "meshknit/remesh/relaxation.h"
 #include "meshknit/remesh/start_cycle.h"
 #include "meshknit/surface/wording.h"
 
@@ -137,7 +137,7 @@ KnitGraph Peeling::take_graph(const std::function<void(double)>& progress) {
   KnitGraph& graph = peel_.builder.graph();
   std::vector<int>& faces = peel_.builder.faces();
   if (peel_.options.relax)
-    relax_nodes(peel_.state.mesh, peel_.state.time, faces, graph, progress);
+    even_edges(peel_.state.mesh, peel_.state.time, faces, graph, progress);
   finish_graph(peel_.state.mesh, faces, graph);
   return std::move(graph);
 }

@@ -12,7 +12,7 @@
 namespace meshknit {
 namespace {
 
-// Part of the time that peeling takes; the rest is relaxation.
+// Part of the time that peeling takes; the rest is evening out.
 constexpr double share_of_peeling = 0.75;
 
 // More than any machine knits: nearly always a wrong unit or gauge. Refused before memory runs out.

@@ -13,13 +13,13 @@ namespace meshknit {
 struct RemeshOptions {
   double stitch_width = 3.66;   ///< l_r
   double stitch_height = 1.73;  ///< l_c
-  bool relax = true;            ///< move nodes on the surface afterwards (relaxation.h)
+  bool relax = true;            ///< even edges out afterwards (even_edges.h)
 };
 
 /// Surface and knitting time -> knit graph (paper, section 3.2): tube by tube between the saddles
 /// of the field (sweep_plan.h), rows are peeled off at geodesic distance 2 l_c from the active
 /// cycle, cut to short rows by time, linked and trimmed; whole rows step over the saddles
-/// (junction.h); then node positions are relaxed.
+/// (junction.h); then edges are evened out.
 /// Requires: a surface without errors; time per mesh vertex with check_time_field(...) free of
 /// errors.
 /// Throws: NotKnittable ("too-many-stitches" for sizes that are nearly always a wrong unit,

@@ -48,8 +48,8 @@ FacePoint walk(const TriangleMesh& mesh, const FacePoint& from, const Eigen::Vec
   FacePoint at = from;
   Eigen::Vector3d rest = by;
   int entered = -1;  // half edge of the triangle that the walk came in by
+  Corners c = corners_of(mesh, at.face);
   for (int step = 0; step < most_triangles; ++step) {
-    const Corners c = corners_of(mesh, at.face);
     if (entered < 0) rest -= c.normal * (rest.dot(c.normal) / c.normal.squaredNorm());
     const Eigen::Vector3d here = weights(c, at.position),
                           there = weights(c, at.position + rest);
@@ -75,12 +75,14 @@ FacePoint walk(const TriangleMesh& mesh, const FacePoint& from, const Eigen::Vec
     rest *= 1.0 - least;
     // Turn what is left of the way about the edge into the next triangle's plane.
     const int next = mesh.face_handle(back).idx();
+    const Corners beyond = corners_of(mesh, next);
     const Eigen::Vector3d along =
         (c.point[(leave + 2) % 3] - c.point[(leave + 1) % 3]).normalized();
     const Eigen::Vector3d out = along.cross(c.normal).normalized();
-    const Eigen::Vector3d on = along.cross(corners_of(mesh, next).normal).normalized();
+    const Eigen::Vector3d on = along.cross(beyond.normal).normalized();
     rest = rest.dot(along) * along + rest.dot(out) * on;
     at.face = next;
+    c = beyond;
     entered = back.idx();
   }
   return at;

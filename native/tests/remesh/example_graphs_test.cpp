@@ -72,13 +72,13 @@ TEST_P(EveryExampleGraph, CanBeKnitAtFiveGaugesAndFitsUnlessTheyAreCoarse) {
     // A node covers l_r x 2 l_c of the surface.
     const double wanted =
         shape.surface.area / (options.stitch_width * 2.0 * options.stitch_height);
-    EXPECT_NEAR(stats.nodes, wanted, (times < 2.0 ? 0.1 : 0.15) * wanted);
+    EXPECT_NEAR(stats.nodes, wanted, (times < 1.4 ? 0.1 : 0.15) * wanted);
     // Of stitches twice as wide, an ear has a dozen: no arrangement of so few fits everywhere.
     if (times == 2.0) continue;
     EXPECT_GE(stats.row_error.within_10, 0.97);
-    EXPECT_GE(stats.column_error.within_10, 0.9);
+    EXPECT_GE(stats.column_error.within_10, 0.95);
     if (times == 1.0) {
-      EXPECT_GE(stats.column_error.within_20, 0.98);
+      EXPECT_GE(stats.column_error.within_20, 0.99);
     }
   }
 }
@@ -97,17 +97,19 @@ TEST_P(EveryExampleGraph, HardlyDependsOnHowTheMeshIsNumbered) {
               nodes, 0.01 * nodes);
 }
 
-TEST_P(EveryExampleGraph, CanBeKnitWithoutRelaxing) {
+TEST_P(EveryExampleGraph, CanBeKnitAsItWasPeeled) {
   const TimedShape shape = shape_for({});
   RemeshOptions as_peeled;
   as_peeled.relax = false;
-  const KnitGraph relaxed = remesh(shape.surface, shape.time);
+  const KnitGraph even = remesh(shape.surface, shape.time);
   const KnitGraph peeled = remesh(shape.surface, shape.time, as_peeled);
   EXPECT_EQ(errors_of(check_knit_graph(peeled).problems), "");
-  // Relaxation moves nodes and leaves who is joined to whom.
-  EXPECT_EQ(peeled.columns, relaxed.columns);
-  EXPECT_LE(measure_graph(relaxed).column_error.mean,
+  EXPECT_LE(measure_graph(even).column_error.mean,
             measure_graph(peeled).column_error.mean + 1e-9);
+  // Evening out adds stitches, and few.
+  EXPECT_GE(even.nodes.size(), peeled.nodes.size());
+  EXPECT_LE(static_cast<double>(even.nodes.size()),
+            1.03 * static_cast<double>(peeled.nodes.size()));
 }
 
 // Closed rows that columns join directly, from below (`side` 0) or from above (1).

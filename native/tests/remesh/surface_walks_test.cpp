@@ -7,6 +7,7 @@
 #include "meshknit/remesh/relaxation.h"
 #include "meshknit/remesh/remesh.h"
 #include "meshknit/remesh/section_length.h"
+#include "meshknit/remesh/surface_springs.h"
 #include "meshknit/remesh/walk.h"
 #include "surface/test_meshes.h"
 
@@ -63,26 +64,66 @@ TEST(Walk, EndsInItsTriangle) {
     }
 }
 
-// Over an edge of 60 degrees the shortest way may begin by going back from the straight line.
-TEST(SectionLength, GoesOverASharpEdgeTheShortWay) {
+// Two walls of a three-sided prism, 30 mm wide and 20 mm high, that meet at x = y = 0 at an angle of 60
+// degrees.
+struct Walls {
   TriangleMesh mesh;
-  // Two walls of a three-sided prism, 30 mm wide and 20 mm high, that meet at x = y = 0.
-  const double s = std::sin(pi / 6.0), c = std::cos(pi / 6.0);
-  std::vector<TriangleMesh::VertexHandle> v;
-  for (const double z : {0.0, 20.0})
-    for (const Eigen::Vector3d& p :
-         {Eigen::Vector3d(30.0 * s, 30.0 * c, z), Eigen::Vector3d(0.0, 0.0, z),
-          Eigen::Vector3d(-30.0 * s, 30.0 * c, z)})
-      v.push_back(mesh.add_vertex(p));
-  for (int wall = 0; wall < 2; ++wall) {
-    mesh.add_face(v[wall], v[wall + 1], v[wall + 4]);
-    mesh.add_face(v[wall], v[wall + 4], v[wall + 3]);
+  double s = std::sin(pi / 6.0), c = std::cos(pi / 6.0);
+
+  Walls() {
+    std::vector<TriangleMesh::VertexHandle> v;
+    for (const double z : {0.0, 20.0})
+      for (const Eigen::Vector3d& p :
+           {Eigen::Vector3d(30.0 * s, 30.0 * c, z), Eigen::Vector3d(0.0, 0.0, z),
+            Eigen::Vector3d(-30.0 * s, 30.0 * c, z)})
+        v.push_back(mesh.add_vertex(p));
+    for (int wall = 0; wall < 2; ++wall) {
+      mesh.add_face(v[wall], v[wall + 1], v[wall + 4]);
+      mesh.add_face(v[wall], v[wall + 4], v[wall + 3]);
+    }
   }
-  const auto at = [&](int face, double side, double from_edge, double z) {
-    return FacePoint{face, Eigen::Vector3d(side * from_edge * s, from_edge * c, z)};
-  };
-  // 2 mm from the edge on either wall, at one height: 4 mm over the edge.
-  EXPECT_NEAR(section_length(mesh, at(0, 1.0, 2.0, 1.0), at(2, -1.0, 2.0, 1.0)), 4.0, 0.02);
+  FacePoint at(int face, double side, double from_edge, double z) const {
+    return {face, Eigen::Vector3d(side * from_edge * s, from_edge * c, z)};
+  }
+};
+
+TEST(SectionLength, GoesOverASharpEdgeTheShortWay) {
+  const Walls walls;
+  // 2 mm from the edge on either wall, at one height: 4 mm over the edge. The shortest way begins by
+  // going back from the straight line.
+  const FacePoint a = walls.at(0, 1.0, 2.0, 1.0), b = walls.at(2, -1.0, 2.0, 1.0);
+  EXPECT_NEAR(section_length(walls.mesh, a, b), 4.0, 0.02);
+  EXPECT_EQ(section_length(walls.mesh, a, a), 0.0);
+}
+
+TEST(SectionLength, LeavesAndArrivesAlongTheSurface) {
+  const Walls walls;
+  const Section over =
+      section(walls.mesh, walls.at(0, 1.0, 2.0, 1.0), walls.at(2, -1.0, 2.0, 1.0));
+  // From either point the edge lies straight ahead in its wall.
+  EXPECT_LT((over.from_first - Eigen::Vector3d(-walls.s, -walls.c, 0.0)).norm(), 0.1);
+  EXPECT_LT((over.from_last - Eigen::Vector3d(walls.s, -walls.c, 0.0)).norm(), 0.1);
+}
+
+TEST(SurfaceSprings, PullOverAnEdgeNotThroughTheAir) {
+  const Walls walls;
+  SurfaceSprings points(walls.mesh);
+  points.add(walls.at(0, 1.0, 2.0, 1.0));
+  points.add(walls.at(2, -1.0, 2.0, 1.0));
+  // The spring wants 10 mm: each end 5 mm from the edge, though only 5 mm from the other.
+  points.relax({{0, 1, 10.0}}, {0, 1}, 100);
+  EXPECT_NEAR(points.length(0, 1), 10.0, 0.1);
+  EXPECT_NEAR((points.point(0).position - points.point(1).position).norm(), 5.0, 0.1);
+}
+
+TEST(SurfaceSprings, OnlyWhatIsMovableMoves) {
+  const Walls walls;
+  SurfaceSprings points(walls.mesh);
+  points.add(walls.at(0, 1.0, 4.0, 1.0));
+  points.add(walls.at(0, 1.0, 8.0, 1.0));
+  points.relax({{0, 1, 6.0}}, {1}, 100);
+  EXPECT_EQ(points.point(0).position, walls.at(0, 1.0, 4.0, 1.0).position);
+  EXPECT_NEAR(points.length(0, 1), 6.0, 0.1);
 }
 
 TEST(SectionLength, GoesRoundTheTubeNotThroughIt) {
