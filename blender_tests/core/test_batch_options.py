@@ -16,7 +16,7 @@ from meshknit import names, native
 @pytest.mark.parametrize(
     "arguments, reason",
     [
-        (["--auto"], "not supported yet"),
+        (["--auto", "--marks", "x.json"], "not both"),
         (["--kcode", "x.kc"], "not supported yet"),
         (["--scale", "0"], "above 0"),
         (["--size", "-3"], "above 0"),

@@ -25,8 +25,8 @@ def parse_options(arguments):
     for name in INPUTS + OUTPUTS + ("object",):
         if getattr(options, name) == "":
             raise UsageError(f"--{name} needs a name")
-    if options.auto:
-        raise UsageError("--auto is not supported yet: give --marks, or store times on the object")
+    if options.auto and options.marks is not None:
+        raise UsageError("give --marks or --auto, not both")
     if options.kcode is not None:
         raise UsageError("--kcode is not supported yet")
     for name in ("scale", "size", "stitch_width", "stitch_height"):
