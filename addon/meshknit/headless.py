@@ -18,6 +18,7 @@ from .core.machines import make_profile, read_machine
 from .core.marks import read_marks, resolve_marks, resolve_openings
 from .core.mesh_files import read_mesh_file
 from .core.report import build_report
+from .core.suggestions import run_suggested
 from .core.workflow import run_stages
 from .scene.read_model import read_model
 from .scene.settings_io import read_settings
@@ -62,6 +63,7 @@ def run(options):
     profile = make_profile(library, settings.machine)  # a wrong file is found before the work
     if options.kcode is not None and not profile.takes_kcode:
         raise UsageError(f"--kcode goes with --machine kniterate, not {profile.name}")
+    suggested = None
     with _progress(library, options.quiet) as run_context:
         known = {}
         if marks is not None:
@@ -74,9 +76,15 @@ def run(options):
                 surface = first.results["check"].value.surface
                 model = replace(model, constraints=resolve_marks(marks, surface, model.scale))
             known = first.results
-        outcome = run_stages(library, model, settings, options.until, run_context, known)
+        if options.auto:
+            run_auto = run_suggested(library, model, settings, options.until, run_context)
+            model, outcome, suggested = run_auto
+        else:
+            outcome = run_stages(library, model, settings, options.until, run_context, known)
     _add_advice(outcome)
     report = build_report(library, model, settings, outcome)
+    if suggested is not None:
+        report["suggested"] = suggested
     write_files(options, outcome, report)
     return model, outcome, report
 

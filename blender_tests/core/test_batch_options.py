@@ -16,7 +16,7 @@ from meshknit import names, native
 @pytest.mark.parametrize(
     "arguments, reason",
     [
-        (["--auto"], "not supported yet"),
+        (["--auto", "--marks", "x.json"], "not both"),
         (["--kcode", ""], "--kcode"),
         (["--until", "graph", "--kcode", "x.kc"], "needs the stage emit"),
         (["--output", "x.k", "--kcode", "x.k"], "another option"),

@@ -191,7 +191,7 @@ def test_a_machine_that_is_too_narrow_says_how_far_to_scale(tube, tube_marks, wr
         (["--input", "{folder}/noise.blend"], "noise.blend"),
         (["--input", "{folder}/tube.obj", "--marks", "{folder}/noise.obj"], "marks"),
         (["--input", "{folder}/tube.obj", "--marks", "{folder}/openings.json"], "openings[0]"),
-        (["--input", "{folder}/tube.obj", "--auto"], "not supported yet"),
+        (["--input", "{folder}/tube.obj", "--auto", "--marks", "x.json"], "not both"),
         (["--input", "{folder}/tube.obj", "--kcode", "{folder}/x.kc"], "--machine kniterate"),
         (["--input", "{folder}/tube.obj", "--machine", "loom"], "loom"),
         (["--input", "{folder}/tube.obj", "--machine", "{folder}/typo.json"], "nedles"),
@@ -321,3 +321,26 @@ def test_the_demo_leaves_its_files_and_a_summary(tmp_path):
     # The sock shows all that a single tube can have.
     assert report["graph"]["short_rows"] > 10
     assert kinds == {"start", "knit", "increase", "decrease", "tuck", "end"}
+
+
+def test_auto_opens_a_closed_ball_by_itself(write, tmp_path):
+    ball = write("ball.obj", meshes.obj_text(*meshes.ball()))
+    out, report = tmp_path / "ball.k", tmp_path / "ball.json"
+    done = batch("--input", ball, "--scale", 1, "--auto", "--output", out, "--report", report)
+    assert done.returncode == 0, done.stderr
+    told = json.loads(report.read_text())
+    assert told["check"]["ok"] and out.read_text().startswith(";!knitout")
+    chosen = told["suggested"]["suggestions"][told["suggested"]["chosen"]]
+    # What was chosen is a marks file: with it the same is knit again.
+    marks, again = write("marks.json", chosen), tmp_path / "again.k"
+    done = batch("--input", ball, "--scale", 1, "--marks", marks, "--output", again)
+    assert done.returncode == 0, done.stderr
+    assert again.read_text() == out.read_text()
+
+
+def test_auto_says_why_nothing_can_be_suggested(write, tmp_path):
+    ball = write("ball.obj", meshes.obj_text(*meshes.ball(radius=6.0)))
+    done = batch("--input", ball, "--scale", 1, "--auto", "--report", tmp_path / "r.json")
+    assert done.returncode == 1
+    assert "finer stitches" in reason(done)
+    assert json.loads((tmp_path / "r.json").read_text())["problems"]

@@ -52,5 +52,6 @@ void bind_surface(py::module_& m);
 void bind_graph(py::module_& m);
 void bind_openings(py::module_& m);
 void bind_machine(py::module_& m);
+void bind_suggest(py::module_& m);
 
 }  // namespace meshknit

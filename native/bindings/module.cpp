@@ -9,4 +9,5 @@ PYBIND11_MODULE(_native, m) {
   meshknit::bind_openings(m);
   meshknit::bind_graph(m);
   meshknit::bind_machine(m);
+  meshknit::bind_suggest(m);
 }

@@ -26,6 +26,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"schedule", {"core", "knit_graph", "tracing", "machine"}},
     {"verify", {"core", "tracing", "machine", "knitout"}},
     {"emit", {"core", "tracing", "machine", "transfer", "schedule"}},
+    {"suggest", {"core", "surface", "time_field", "tracing"}},
     {"pipeline",
      {"core", "surface", "time_field", "remesh", "knit_graph", "tracing", "machine", "knitout",
       "schedule", "emit", "verify"}},

@@ -26,8 +26,8 @@ def parse_options(arguments):
     for name in INPUTS + OUTPUTS + ("object",):
         if getattr(options, name) == "":
             raise UsageError(f"--{name} needs a name")
-    if options.auto:
-        raise UsageError("--auto is not supported yet: give --marks, or store times on the object")
+    if options.auto and options.marks is not None:
+        raise UsageError("give --marks or --auto, not both")
     for name in ("scale", "size", "stitch_width", "stitch_height"):
         value = getattr(options, name)
         if value is not None and not 0.0 < value < float("inf"):

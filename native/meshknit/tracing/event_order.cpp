@@ -16,13 +16,6 @@ constexpr std::size_t kMostEvents = 64;
 
 using Row = std::vector<int>;  // tubes, left to right
 
-/// Which tubes a tube takes over, and which take it over, as they hang from one side to the other;
-/// when it begins and ends.
-struct TubeLinks {
-  std::vector<int> below, above;
-  double begin = 0.0, end = 0.0;
-};
-
 double time_of(const KnitGraph& graph, const KnitRow& row) {
   double sum = 0.0;
   for (const int node : row.nodes) sum += graph.nodes[node].time;
@@ -93,6 +86,11 @@ class EventSearch {
     std::stable_sort(timed.begin(), timed.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& event : timed) events_.push_back(event.second);
+  }
+
+  bool can_hang() {
+    const std::size_t all = events_.size();
+    return all > kMostEvents || in_order_of_time(all) || search(all);
   }
 
   // With few yarns tubes must wait, which may make others cross: so few tubes hang at once, if any
@@ -194,6 +192,8 @@ class EventSearch {
 };
 
 }  // namespace
+
+bool can_hang(const std::vector<TubeLinks>& tubes) { return EventSearch(tubes).can_hang(); }
 
 std::vector<TubeEvent> find_event_order(const KnitGraph& graph, const Tubes& tubes,
                                         int most_tubes) {
