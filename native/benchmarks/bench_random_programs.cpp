@@ -63,7 +63,7 @@ void knit(int seed, Tally& tally) {
     const CheckedGraph graph =
         build_knit_graph(random.timed.surface, random.timed.time, random.gauge);
     next();
-    const StitchTrace trace = build_trace(graph.graph);
+    const StitchTrace trace = build_trace(graph.graph, machine);
     next();
     const Schedule schedule = build_schedule(trace, machine);
     next();

@@ -77,7 +77,7 @@ void knit(const std::string& name, const ExampleShape& shape, Compared& all) {
     const double t0 = seconds();
     const CheckedGraph graph = build_knit_graph(piece.surface, piece.time, {});
     const double t1 = seconds();
-    const StitchTrace trace = build_trace(graph.graph);
+    const StitchTrace trace = build_trace(graph.graph, machine);
     const double t2 = seconds();
     const Schedule schedule = build_schedule(trace, machine);
     const double t3 = seconds();

@@ -21,7 +21,8 @@ struct Moves {
 void expect_fewer_than_the_textbook(const ExampleShape& shape, const std::string& name) {
   const MachineProfile machine = machine_profile("shima_swg091n2");
   const TimedShape piece = timed(opened(shape));
-  const StitchTrace trace = build_trace(build_knit_graph(piece.surface, piece.time, {}).graph);
+  const StitchTrace trace =
+      build_trace(build_knit_graph(piece.surface, piece.time, {}).graph, machine);
   const Schedule schedule = build_schedule(trace, machine);
   TransferPlanner planner;
   Moves ours, textbook;
