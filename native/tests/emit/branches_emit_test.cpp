@@ -74,6 +74,15 @@ TEST(BranchesEmit, ThreeTubesPartInOneRowWithoutError) {
     EXPECT_EQ(errors_of_program(three_way_split(a, b, c, b)), "") << a << " " << b << " " << c;
 }
 
+// The yarn of the last common row still holds the three together; moving two of them out of the way
+// is less work than moving the large tube, but no such yarn reaches over two places.
+TEST(BranchesEmit, TheMiddleOfThreeGetsRoomOnBothSidesBesideALargeTube) {
+  for (const int large : {20, 40})
+    for (const auto& [a, b, c] : {std::array{6, 4, 6}, {6, 3, 6}, {8, 5, 8}})
+      EXPECT_EQ(errors_of_program(three_way_split_beside(large, a, b, c, b)), "")
+          << a << " " << b << " " << c << " beside " << large;
+}
+
 TEST(BranchesEmit, PairsThatWouldCrossAreKnitInTurn) {
   EXPECT_EQ(errors_of_program(crossed_pairs(4, 5, false)), "");
   EXPECT_EQ(errors_of_program(crossed_pairs(7, 3, false)), "");
