@@ -60,7 +60,7 @@ class MESHKNIT_OT_draw_constraint(StrokeOperator, MarkOperator, bpy.types.Operat
     def begin(self, context, event, ob, canvas, pointer):
         target = pointer.target()
         if target is None:
-            return {"PASS_THROUGH"}
+            return {"CANCELLED"}  # passed on, the press would move the object
         self._target, self._start = target, pointer.mouse
         self._drawing = None
         if target.vertex is None:

@@ -1,5 +1,7 @@
 """Round openings as rings on the surface: a guess of what will be cut."""
 
+import math
+
 import bmesh
 import numpy as np
 from mathutils import Vector
@@ -30,8 +32,9 @@ def ring_on_surface(surface, matrix, place, radius):
     ahead = normal.cross(aside)
     centre = matrix @ centre
     ring = []
-    for turn in 2.0 * np.pi * np.arange(SIDES) / SIDES:
-        toward = np.cos(turn) * aside + np.sin(turn) * ahead
+    for side in range(SIDES):
+        turn = 2.0 * math.pi * side / SIDES
+        toward = math.cos(turn) * aside + math.sin(turn) * ahead
         ring.append(_walk(surface, matrix, to_local, centre, toward, radius))
     return np.array(ring)
 

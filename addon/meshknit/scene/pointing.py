@@ -164,20 +164,19 @@ class Pointer:
     def _corners(self, face):
         if self._ob.mode != "EDIT":
             return np.array(self._ob.data.polygons[face].vertices)
-        return np.array([corner.index for corner in self._edited_face(face).verts])
-
-    def _edited_face(self, face):
         mesh = bmesh.from_edit_mesh(self._ob.data)
         mesh.faces.ensure_lookup_table()
-        return mesh.faces[face]
+        return np.array([corner.index for corner in mesh.faces[face].verts])
 
     def _face_number(self, face):
         """Which opening a face that is shown belongs to."""
         if self._ob.mode == "EDIT":
             if not self._canvas.own:
                 return 0
-            layer = bmesh.from_edit_mesh(self._ob.data).faces.layers.int.get(names.OPENING)
-            return self._edited_face(face)[layer] if layer else 0
+            mesh = bmesh.from_edit_mesh(self._ob.data)
+            mesh.faces.ensure_lookup_table()
+            layer = mesh.faces.layers.int.get(names.OPENING)
+            return mesh.faces[face][layer] if layer else 0
         numbers = self._ob.evaluated_get(self._depsgraph).data.attributes.get(names.OPENING)
         if numbers is None or (numbers.data_type, numbers.domain) != ("INT", "FACE"):
             return 0

@@ -7,7 +7,7 @@ from ..scene.mark_lists import selected_mark
 from . import icon
 from .keys import KEYMAP
 
-AFTER = {"OBJECT": "builtin.scale_cage", "EDIT_MESH": "builtin.measure"}
+MODES = ("OBJECT", "EDIT_MESH")
 
 
 class KnitTimeTool:
@@ -51,13 +51,13 @@ TOOLS = tuple(
         (KnitTimeTool, bpy.types.WorkSpaceTool),
         {"bl_context_mode": mode, "__doc__": KnitTimeTool.bl_description},
     )
-    for mode in AFTER
+    for mode in MODES
 )
 
 
 def register():
     for tool in TOOLS:
-        bpy.utils.register_tool(tool, after={AFTER[tool.bl_context_mode]}, separator=True)
+        bpy.utils.register_tool(tool, after={"builtin.measure"}, separator=True)
 
 
 def unregister():
