@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+from bpy.app.handlers import persistent
 
 from .. import compat, names
 from ..overlay import stroke
@@ -87,11 +88,24 @@ def _highlight(canvas, pointer, target):
             draw_dot(*pixel)
 
 
-def register():
+@persistent
+def _begin(_=None):
+    """Blender keeps such drawings with the window manager, and a file may bring another."""
+    _end()
     manager = bpy.types.WindowManager
     _handles.append(manager.draw_cursor_add(lambda mouse: _draw(mouse), (), "VIEW_3D", "WINDOW"))
 
 
-def unregister():
+def _end():
     while _handles:
         bpy.types.WindowManager.draw_cursor_remove(_handles.pop())
+
+
+def register():
+    _begin()
+    bpy.app.handlers.load_post.append(_begin)
+
+
+def unregister():
+    bpy.app.handlers.load_post.remove(_begin)
+    _end()
