@@ -11,6 +11,7 @@ from ..core.errors import UsageError
 from ..core.marks import parse_vertices
 from ..overlay import stroke
 from ..scene import constraints, mark_lists
+from .edit_mark import pick
 from .mark_base import MarkOperator, time_property
 from .stroke_base import StrokeOperator, new_time
 
@@ -83,7 +84,7 @@ class MESHKNIT_OT_draw_constraint(StrokeOperator, MarkOperator, bpy.types.Operat
 
     def _field_time(self, pointer, target):
         time = pointer.time(target.hit) if target.hit is not None else None
-        return round(time, 2) if time is not None else 0.0
+        return round(time, 2) + 0.0 if time is not None else 0.0
 
     def follow(self, context, event, ob, canvas, pointer):
         near = CLICK * context.preferences.system.ui_scale
@@ -111,8 +112,7 @@ class MESHKNIT_OT_draw_constraint(StrokeOperator, MarkOperator, bpy.types.Operat
         if self._target.index is None:
             return {"CANCELLED"}
         kind = "OPENING" if self._target.kind == "OPENING" else "CONSTRAINT"
-        # A step of its own, named after what happened.
-        bpy.ops.meshknit.pick_mark("EXEC_DEFAULT", True, kind=kind, index=self._target.index)
+        pick(kind, self._target.index)
         return {"CANCELLED"}
 
 

@@ -6,15 +6,35 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty
 from .. import names
 from ..core.errors import UsageError
 from ..scene import mark_lists
+from ..scene.edit_mode import active_mesh
 from .mark_base import MarkOperator
+
+NO_MARKS = "There is no constraint or opening yet"
 
 
 def selected(mesh):
     """-> (list, index). Throws UsageError."""
     found = mark_lists.selected_mark(mesh)
     if found is None:
-        raise UsageError("There is no constraint or opening yet")
+        raise UsageError(NO_MARKS)
     return found
+
+
+def pick(kind, index):
+    """Selects a mark as an undo step of its own, from within another operator, of which Blender
+    would make none."""
+    bpy.ops.meshknit.pick_mark(kind=kind, index=index)
+    bpy.ops.ed.undo_push(message="Pick Constraint or Opening")
+
+
+class KeyOperator(MarkOperator):
+    """Mixin for what keys do: without a mark they say so in the status bar, not in a popup."""
+
+    def invoke(self, context, event):
+        if mark_lists.selected_mark(active_mesh(context).data) is None:
+            self.report({"WARNING"}, NO_MARKS)
+            return {"CANCELLED"}
+        return self.execute(context)
 
 
 class MESHKNIT_OT_pick_mark(MarkOperator, bpy.types.Operator):
@@ -33,7 +53,7 @@ class MESHKNIT_OT_pick_mark(MarkOperator, bpy.types.Operator):
         marks.select(ob.data, self.index)
 
 
-class MESHKNIT_OT_change_time(MarkOperator, bpy.types.Operator):
+class MESHKNIT_OT_change_time(KeyOperator, bpy.types.Operator):
     """Knit the selected constraint or opening earlier or later"""
 
     bl_idname = names.OP_CHANGE_TIME
@@ -48,7 +68,7 @@ class MESHKNIT_OT_change_time(MarkOperator, bpy.types.Operator):
         self.report({"INFO"}, f"{entry.name}: time {entry.time:.3g}")
 
 
-class MESHKNIT_OT_remove_mark(MarkOperator, bpy.types.Operator):
+class MESHKNIT_OT_remove_mark(KeyOperator, bpy.types.Operator):
     """Remove the selected constraint or opening; the mesh stays as it is"""
 
     bl_idname = names.OP_REMOVE_MARK

@@ -6,8 +6,8 @@ from .. import names
 from ..core.typed_number import TypedNumber
 from ..scene import mark_lists
 from ..scene.edit_mode import active_mesh
-from .edit_mark import selected
-from .mark_base import MarkOperator, time_property
+from .edit_mark import KeyOperator, selected
+from .mark_base import time_property
 
 CHARACTERS = {
     **{name: str(digit) for digit, name in enumerate(names.DIGITS)},
@@ -18,7 +18,7 @@ CHARACTERS = {
 }
 
 
-class MESHKNIT_OT_set_time(MarkOperator, bpy.types.Operator):
+class MESHKNIT_OT_set_time(KeyOperator, bpy.types.Operator):
     """Give the selected constraint or opening a time, by typing the number"""
 
     bl_idname = names.OP_SET_TIME
@@ -34,7 +34,7 @@ class MESHKNIT_OT_set_time(MarkOperator, bpy.types.Operator):
         mesh = active_mesh(context).data
         found = mark_lists.selected_mark(mesh)
         if found is None or context.area is None:
-            return self.execute(context)
+            return super().invoke(context, event)
         self._name = found[0].entries(mesh)[found[1]].name
         self._typed = TypedNumber()
         self._take(context, event)

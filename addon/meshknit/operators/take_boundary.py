@@ -7,6 +7,7 @@ from bpy.props import IntProperty
 from .. import names
 from ..core.errors import UsageError
 from ..scene import constraints, mark_lists
+from .edit_mark import pick
 from .mark_base import MarkOperator, time_property
 from .stroke_base import new_time, pointer_at
 
@@ -40,8 +41,7 @@ class MESHKNIT_OT_take_boundary(MarkOperator, bpy.types.Operator):
         ob, canvas, _ = found
         marks = np.unique(canvas.marks[canvas.rim_of(edge)])
         if len(marks) == 1 and marks[0] > 0:
-            index = int(marks[0]) - 1
-            bpy.ops.meshknit.pick_mark("EXEC_DEFAULT", True, kind="CONSTRAINT", index=index)
+            pick("CONSTRAINT", int(marks[0]) - 1)
             self.report({"INFO"}, "This boundary has a time already")
             return {"CANCELLED"}
         self.vertex = int(canvas.edges[edge][0])

@@ -25,7 +25,8 @@ _handles = []
 def _draw_view():
     ob, shown = active_object()
     context = bpy.context
-    if ob is None or ob.mode not in ("OBJECT", "EDIT"):
+    depsgraph = context.view_layer.depsgraph
+    if ob is None or ob.mode not in ("OBJECT", "EDIT") or depsgraph is None:
         return
     at_work = is_tool_active(context)
     session = sessions.known_session(ob)
@@ -36,7 +37,7 @@ def _draw_view():
         gpu.state.blend_set("ALPHA")
         gpu.state.depth_test_set("LESS_EQUAL")
         lift = LIFT * stitch_height(session, shown, "check")
-        batches = _mark_batches(ob, context.view_layer.depsgraph, not has_fresh_rims(session))
+        batches = _mark_batches(ob, depsgraph, not has_fresh_rims(session))
         chosen = selected_mark(ob.data) if at_work else None
         _draw_chains(batches, chosen, lift)
         _draw_rings(batches, chosen, lift)
@@ -102,9 +103,11 @@ def _draw_times():
     """The time of every constraint and opening, beside it."""
     ob, _ = active_object()
     context = bpy.context
-    if ob is None or not is_tool_active(context) or stroke.shown() is not None:
+    depsgraph = context.view_layer.depsgraph
+    at_rest = stroke.shown() is None and depsgraph is not None
+    if ob is None or not is_tool_active(context) or not at_rest:
         return
-    canvas = canvas_of(ob, context.view_layer.depsgraph)
+    canvas = canvas_of(ob, depsgraph)
     pointer = Pointer(context, ob, canvas, (0, 0))
     for index, entry in enumerate(CONSTRAINTS.entries(ob.data)):
         rows = np.flatnonzero(canvas.segment_marks == index + 1)

@@ -70,5 +70,5 @@ def set_time(mesh, marks, index, time):
     entry = marks.entries(mesh)[index]
     if marks is OPENINGS and not entry.has_time:
         entry.has_time = True
-    # Properties are single precision: rounding keeps sums of tenths tenths.
-    entry.time = min(1.0, max(-1.0, round(time, 4)))
+    # Properties are single precision: rounding keeps sums of tenths tenths, and 0 has no sign.
+    entry.time = min(1.0, max(-1.0, round(time, 4) + 0.0))

@@ -20,12 +20,12 @@ def _draw(mouse):
     context = bpy.context
     if context.region is None or context.region_data is None or not is_tool_active(context):
         return
-    ob = context.view_layer.objects.active
-    busy = stroke.shown() is not None or sessions.job() is not None
+    ob, depsgraph = context.view_layer.objects.active, context.view_layer.depsgraph
+    busy = stroke.shown() is not None or sessions.job() is not None or depsgraph is None
     if ob is None or ob.type != "MESH" or not ob.visible_get() or busy:
         return
     x, y = compat.cursor_in_region(context.region, mouse)
-    canvas = canvas_of(ob, context.view_layer.depsgraph)
+    canvas = canvas_of(ob, depsgraph)
     pointer = Pointer(context, ob, canvas, (x, y))
     target = pointer.target()
     rim = pointer.rim()
