@@ -309,4 +309,21 @@ def test_what_lies_under_the_mouse_is_told(user, tube, monkeypatch):
     assert float(at(0.0, 90.0)[0].split()[1]) == pytest.approx(0.5, abs=0.1)
     assert at(0.0, 60.0)[1:] == ["Constraint 3: 0", "Click: select"]
     assert "Click: select" in at(5.0, 0.0) and "C: whole boundary" in at(5.0, 0.0)
-    assert at(60.0, 60.0) == []  # beside the tube
+    assert at(-60.0, 60.0) == []  # beside the tube
+
+
+def test_the_vertex_where_a_chain_would_begin_has_a_dot(user, tube, picture):
+    tube()
+    ((x, y),) = along(user, (0, 60))
+    box = (slice(int(y) - 8, int(y) + 8), slice(int(x) - 8, int(x) + 8))
+
+    def white():
+        return (picture()[box] > 0.9).all(axis=2).sum()
+
+    user.move(user.view, 20, 20)
+    pump(3)
+    assert white() < 10
+    user.move(user.view, x + 1, y)
+    user.move(user.view, x, y)
+    pump(3)
+    assert white() > 30  # a disk of more than 3 pixels' radius

@@ -8,14 +8,18 @@ LIGHT = (0.95, 0.95, 0.95, 1.00)
 SIZE, STEP, FRAME = 12, 17, 6  # pixels at scale 1
 
 
-def draw_label(x, y, lines):
-    """`lines` from the top; (x, y) is the lower left of the plate."""
+def draw_label(x, y, lines, room=None):
+    """`lines` from the top; (x, y) is the lower left of the plate, which moves so that it stays
+    within `room`, the width and height that there are."""
     import blf
 
     scale = bpy.context.preferences.system.ui_scale
     blf.size(0, SIZE * scale)
     width = max(blf.dimensions(0, line)[0] for line in lines)
-    draw_plate(x, y, width + 2 * FRAME * scale, (len(lines) * STEP + 4) * scale, DARK)
+    width, height = width + 2 * FRAME * scale, (len(lines) * STEP + 4) * scale
+    if room is not None:
+        x, y = max(0, min(x, room[0] - width)), max(0, min(y, room[1] - height))
+    draw_plate(x, y, width, height, DARK)
     for row, line in enumerate(reversed(lines)):
         blf.position(0, x + FRAME * scale, y + (6 + row * STEP) * scale, 0)
         blf.color(0, *LIGHT)

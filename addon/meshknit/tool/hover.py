@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from .. import compat, names
+from .. import names
 from ..overlay import stroke
 from ..overlay.text import draw_dot, draw_label, draw_lines
 from ..scene import sessions
@@ -24,7 +24,7 @@ def _draw(mouse):
     busy = stroke.shown() is not None or sessions.job() is not None or depsgraph is None
     if ob is None or ob.type != "MESH" or not ob.visible_get() or busy:
         return
-    x, y = compat.cursor_in_region(context.region, mouse)
+    x, y = mouse[0] - context.region.x, mouse[1] - context.region.y
     canvas = canvas_of(ob, depsgraph)
     pointer = Pointer(context, ob, canvas, (x, y))
     target = pointer.target()
@@ -32,8 +32,13 @@ def _draw(mouse):
     lines = describe(ob, pointer, target, rim)
     if not lines:
         return
-    _highlight(canvas, pointer, target)
-    draw_label(x + 18, y - 40, lines)
+    import gpu
+
+    with gpu.matrix.push_pop():
+        # A cursor's pixels are those of the window.
+        gpu.matrix.translate((context.region.x, context.region.y, 0.0))
+        _highlight(canvas, pointer, target)
+        draw_label(x + 18, y - 40, lines, (context.region.width, context.region.height))
 
 
 def describe(ob, pointer, target, rim=None):
