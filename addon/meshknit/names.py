@@ -29,6 +29,26 @@ SIZE_MODES = (
 TIME_SOURCES = (
     ("CONSTRAINTS", "Constraints", "Interpolate between the constraints below", 0),
     ("ATTRIBUTE", "Attribute knit_time", "Use the point attribute knit_time as it is", 1),
+    (
+        "DISTANCE",
+        "Distance",
+        "The distance along the surface from the boundaries with the earliest time: next to no "
+        "short rows",
+        2,
+    ),
+    ("HEIGHT", "Height", "The height along an axis", 3),
+    (
+        "VALUES",
+        "Attribute or group",
+        "A point attribute of numbers, also from Geometry Nodes, or a vertex group",
+        4,
+    ),
+)
+
+# The way the rows go, for times by height (numbers are stored in files).
+TIME_AXES = tuple(
+    (axis, axis, f"Rows go along {axis}", index)
+    for index, axis in enumerate(("X", "Y", "Z", "-X", "-Y", "-Z"))
 )
 
 # The lists of marks on a mesh; which of them keys act on is stored in files.

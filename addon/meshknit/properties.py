@@ -105,6 +105,34 @@ class MESHKNIT_PG_mesh(bpy.types.PropertyGroup):
         items=names.TIME_SOURCES,
         update=_touched,
     )
+    time_axis: EnumProperty(
+        name="Axis",
+        description="The way the rows go",
+        items=names.TIME_AXES,
+        default="Z",
+        update=_touched,
+    )
+    time_values: StringProperty(
+        name="Values",
+        description="A point attribute of numbers, or a vertex group: low is knit first",
+        update=_touched,
+    )
+    time_share: FloatProperty(
+        name="Share",
+        description="How much of this source; the rest is interpolated between the constraints",
+        subtype="FACTOR",
+        default=1.0,
+        min=0.0,
+        max=1.0,
+        update=_touched,
+    )
+    time_mend: BoolProperty(
+        name="Mend",
+        description="Remove places away from the openings where knitting would begin or end, with "
+        "the smallest change",
+        default=True,
+        update=_touched,
+    )
     size_mode: EnumProperty(
         name="Size from",
         description="How large the knitted object becomes",
