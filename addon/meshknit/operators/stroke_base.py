@@ -1,14 +1,13 @@
 """What strokes with the mouse share: they begin with a press, follow the mouse, and end in
 execute() as one undo step, or with Esc in nothing."""
 
-from .. import native
+from .. import names, native
 from ..overlay import stroke
 from ..scene import sessions
 from ..scene.canvas import canvas_of
 from ..scene.edit_mode import active_mesh
 from ..scene.mark_lists import suggested_time
 from ..scene.pointing import Pointer
-from .. import names
 
 NAVIGATION = {
     "MIDDLEMOUSE",
@@ -29,8 +28,7 @@ MOVES = {"MOUSEMOVE", "INBETWEEN_MOUSEMOVE"}
 
 
 def pointer_at(context, event):
-    """-> (object, canvas, Pointer) where an event happens; None outside the main region of a 3D view.
-    Throws NativeMissing where a canvas needs the library."""
+    """-> (object, canvas, Pointer) where an event happens; None outside the main region of a 3D view."""
     ob = active_mesh(context)
     if ob is None or context.region_data is None or context.region.type != "WINDOW":
         return None

@@ -1,6 +1,7 @@
 """What a person is drawing right now. Plain values: operators set them, the overlay draws them."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
@@ -8,7 +9,7 @@ import numpy as np
 @dataclass(frozen=True)
 class Stroke:
     points: np.ndarray  # (n, 3), world space
-    time: float  # gives the colour; None for the rim of an opening
+    time: Optional[float]  # gives the colour; None for the rim of an opening
 
 
 _shown = None
