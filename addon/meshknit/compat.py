@@ -25,3 +25,8 @@ def set_polygon_sizes(mesh, sizes):
     """Since 3.6 sizes follow from where polygons start, and are read-only."""
     if not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly:
         mesh.polygons.foreach_set("loop_total", sizes)
+
+
+def cursor_in_region(region, mouse):
+    """What a cursor's drawing gets as the place of the mouse, in pixels of the region."""
+    return mouse[0] - region.x, mouse[1] - region.y

@@ -100,6 +100,13 @@ def millimetres_per_unit(ob, local, scene, size=None):
     return size / longest if longest > 0.0 else 1.0
 
 
+def millimetres_of_radius(scene, ob):
+    """Millimetres that a unit of a round opening's radius becomes: such lengths are of the object's
+    own space, so that openings grow with it. Requires Object Mode."""
+    longer = mean_scale(ob.matrix_world)
+    return millimetres_per_unit(ob, positions(ob.data), scene) * (longer if longer > 0.0 else 1.0)
+
+
 def _longest_side(ob, local):
     """In Blender units, measured along the object's own axes as Blender's sidebar does."""
     if not np.isfinite(local).any():

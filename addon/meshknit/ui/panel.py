@@ -125,6 +125,7 @@ class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
         row.operator(names.OP_REMOVE_CONSTRAINT, text="", icon="REMOVE").index = -1
         column = layout.column(align=True)
         column.operator(names.OP_ADD_BOUNDARY, icon="ADD")
+        column.operator(names.OP_FROM_SEAMS, icon="ADD")
         if context.object.mode == "EDIT":
             column.operator(names.OP_ADD_CONSTRAINT, icon="ADD")
         else:
