@@ -2,9 +2,9 @@
 
 from . import operators, properties, tool, ui
 from .overlay import draw, draw_marks
-from .scene import sessions
+from .scene import live, sessions
 
-MODULES = (properties, sessions, operators, draw, draw_marks, tool, ui)
+MODULES = (properties, sessions, live, operators, draw, draw_marks, tool, ui)
 
 
 def register():

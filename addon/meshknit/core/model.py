@@ -15,6 +15,7 @@ class Constraint:
     vertices: tuple  # rows of the model's vertices, or of the surface's
     time: float
     on_surface: bool = False  # rows of the checked surface, from which openings are cut
+    entry: int = -1  # of the list of constraints that it comes from, if it comes from one
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from ..core.errors import UsageError
 from ..core.job import Job
 from ..core.report import build_report
 from ..core.workflow import run_stages
-from ..scene import sessions
+from ..scene import live, sessions
 from ..scene.edit_mode import active_mesh, hidden_text, object_mode
 from ..scene.time_attribute import publish_time
 from . import running_step
@@ -79,6 +79,7 @@ class StageOperator:
         """Reads all that the run needs. -> a function of a RunContext that returns the outcome,
         or None after saying why not."""
         ob = active_mesh(context)
+        live.stop()
         try:
             library = native.load()
             self._model, self._settings = sessions.read_inputs(context, ob)

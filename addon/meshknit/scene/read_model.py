@@ -55,7 +55,8 @@ def _read_constraints(mesh, settings):
     for index, entry in enumerate(settings.constraints):
         vertices = np.unique(pairs[marks == index + 1])
         if len(vertices):
-            found.append(Constraint(entry.name, tuple(vertices.tolist()), round(entry.time, 6)))
+            time = round(entry.time, 6)
+            found.append(Constraint(entry.name, tuple(vertices.tolist()), time, entry=index))
     return tuple(found)
 
 
