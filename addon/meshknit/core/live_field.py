@@ -1,6 +1,7 @@
 """The time field of a model that is being worked on: times change at the cost of a back-solve."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from itertools import count
 from typing import Optional
 
 import numpy as np
@@ -10,6 +11,8 @@ from .row_levels import FieldGeometry
 from .workflow import run_stages
 
 COURSES_IN_ROW = 2  # a row of the graph is two courses
+
+_serials = count()
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,6 +24,7 @@ class KnitShape:
     faces: np.ndarray  # (m, 3) int32
     geometry: FieldGeometry
     weights: object  # library.FieldWeights
+    serial: int = field(default_factory=lambda: next(_serials))  # of all shapes, this one
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,6 +7,10 @@ from typing import Optional
 import numpy as np
 
 
+# Of an opening's lengths in mm: what single precision holds in a scene as large as a person.
+AT_DIGITS, RADIUS_DIGITS = 3, 4
+
+
 @dataclass(frozen=True)
 class Constraint:
     """Vertices that are knit at one time."""

@@ -87,8 +87,11 @@ class StageOperator:
             self.report({"ERROR"}, str(error))
             return None
         self._object = ob.name
-        model, settings, until = self._model, self._settings, self.until
-        known = dict(sessions.session_of(ob).results)
+        return self._work(library, self._model, self._settings, sessions.session_of(ob))
+
+    def _work(self, library, model, settings, session):
+        """-> what the thread does: a function of a RunContext that touches no Blender data."""
+        until, known = self.until, dict(session.results)
         return lambda run: run_stages(library, model, settings, until, run, known)
 
     def _finish(self, context, outcome):

@@ -158,9 +158,7 @@ def _start(context, ob, kind, work):
     known = dict(sessions.session_of(ob).results)
     before = shown(ob).live if shown(ob) is not None else None
     _state.due.discard(kind)
-    job = Job(
-        lambda run: work(library, model, settings, run, known, before), library.RunContext()
-    )
+    job = Job(lambda run: work(library, model, settings, run, known, before), library.RunContext())
     _work = _Work(kind, compat.object_key(ob), job, model, settings, matrix, time.monotonic())
     return True
 

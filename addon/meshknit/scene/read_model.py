@@ -3,7 +3,7 @@
 import numpy as np
 
 from .. import names
-from ..core.model import Constraint, Model, Opening
+from ..core.model import AT_DIGITS, RADIUS_DIGITS, Constraint, Model, Opening
 from .attributes import edge_vertices, positions, read_attribute
 
 
@@ -70,9 +70,10 @@ def _read_openings(settings, matrix, scale):
             found.append(Opening(entry.name, time, number=entry.number))
             continue
         at = (matrix[:3, :3] @ np.array(entry.location) + matrix[:3, 3]) * scale
-        # Properties are single precision: rounding gives back what was typed.
-        radius = round(entry.radius * mean * scale, 5)
-        found.append(Opening(entry.name, time, tuple(at.tolist()), radius))
+        # Properties are single precision: rounding gives back what was typed or suggested.
+        at = tuple(np.round(at, AT_DIGITS).tolist())
+        radius = round(entry.radius * mean * scale, RADIUS_DIGITS)
+        found.append(Opening(entry.name, time, at, radius))
     return tuple(found)
 
 

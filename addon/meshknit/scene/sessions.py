@@ -37,6 +37,16 @@ def known_session(ob):
     return _sessions.get(compat.object_key(ob)) if ob is not None else None
 
 
+def finding(ob, index):
+    """-> (problem, session): one of the problems of the guidance. Throws UsageError."""
+    session = session_of(ob)
+    if not session.is_guidance_fresh():
+        raise UsageError("The object has changed since: wait for the new guidance")
+    if index >= len(session.guidance.problems):
+        raise UsageError(f"There is no finding {index}")
+    return session.guidance.problems[index], session
+
+
 def job():
     """The running job or None."""
     return _job
