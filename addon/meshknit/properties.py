@@ -21,8 +21,16 @@ DEFAULTS = Settings()
 
 
 def _touched(self, context):
-    sessions.touch_users(self.id_data, context)
-    if isinstance(self.id_data, bpy.types.Mesh):
+    _note(self.id_data, context, sessions.ALL)
+
+
+def _time_touched(self, context):
+    _note(self.id_data, context, sessions.TIMES)
+
+
+def _note(data, context, what):
+    sessions.touch_users(data, context, what)
+    if isinstance(data, bpy.types.Mesh):
         undo.keep_lists(active_mesh(context))
 
 
@@ -40,7 +48,7 @@ class MESHKNIT_PG_constraint(bpy.types.PropertyGroup):
         max=1.0,
         step=10,
         precision=3,
-        update=_touched,
+        update=_time_touched,
     )
 
 
@@ -79,7 +87,7 @@ class MESHKNIT_PG_opening(bpy.types.PropertyGroup):
         max=1.0,
         step=10,
         precision=3,
-        update=_touched,
+        update=_time_touched,
     )
 
 
@@ -215,6 +223,12 @@ class MESHKNIT_PG_scene(bpy.types.PropertyGroup):
         max=1.0,
         step=10,
         precision=3,
+    )
+    live_graph: BoolProperty(
+        name="Live graph",
+        description="Build the knit graph in the background whenever nothing has changed for a moment",
+        default=True,
+        update=_touched,
     )
     show_time: BoolProperty(
         name="Time colours",

@@ -1,10 +1,10 @@
 """The add-on's modules in the order in which they register."""
 
 from . import operators, properties, tool, ui
-from .overlay import draw, draw_marks
-from .scene import sessions
+from .overlay import draw, draw_marks, draw_saddles
+from .scene import live, sessions
 
-MODULES = (properties, sessions, operators, draw, draw_marks, tool, ui)
+MODULES = (properties, sessions, live, operators, draw, draw_marks, draw_saddles, tool, ui)
 
 
 def register():

@@ -1,9 +1,11 @@
 """Objects for tests."""
 
+import time
+
 import bpy
 import numpy as np
 
-from meshknit.scene import sessions
+from meshknit.scene import live, sessions
 from meshknit.scene.attributes import read_attribute
 from meshknit.scene.shapes import add_object, make_mesh
 
@@ -50,3 +52,11 @@ def select_only(ob, edges=(), vertices=()):
     for vertex in vertices:
         ob.data.vertices[vertex].select = True
     bpy.ops.object.mode_set(mode="EDIT")
+
+
+def settle(seconds=60.0):
+    """Lets the live field do all that is due, as its timer does in the GUI."""
+    end = time.monotonic() + seconds
+    while (wait := live.tick()) is not None:
+        assert time.monotonic() < end, "the live field does not come to rest"
+        time.sleep(wait)

@@ -5,6 +5,7 @@
 #include "meshknit/surface/edge_path.h"
 #include "meshknit/surface/example_shapes.h"
 #include "meshknit/time_field/field_from_values.h"
+#include "meshknit/time_field/field_weights.h"
 #include "meshknit/time_field/time_field.h"
 
 namespace meshknit {
@@ -38,8 +39,9 @@ py::dict to_python(const TimeFieldCheck& check) {
 
 // A solver that keeps its factorisation while times are dragged.
 struct LiveTimeField {
-  LiveTimeField(const Surface& s, const std::vector<std::vector<int>>& chains)
-      : surface(s), solver(s, chains) {}
+  LiveTimeField(const Surface& s, const FieldWeights& weights,
+                const std::vector<std::vector<int>>& chains)
+      : surface(s), solver(weights, chains) {}
   const Surface& surface;
   TimeFieldSolver solver;
 };
@@ -189,15 +191,24 @@ void bind_surface(py::module_& m) {
       },
       py::arg("surface"), py::arg("time"));
 
+  py::class_<FieldWeights>(m, "FieldWeights", py::module_local(),
+                           "What all fields of a surface share, wherever their chains lie.")
+      .def(py::init([](const Surface& s) {
+             py::gil_scoped_release release;
+             return std::make_unique<FieldWeights>(field_weights(s));
+           }),
+           py::arg("surface"));
   py::class_<LiveTimeField>(
       m, "LiveTimeField", py::module_local(),
       "Keeps its factorisation: new times for the same chains cost one back-solve.")
-      .def(py::init([](const Surface& s, const std::vector<std::vector<int>>& chains) {
+      .def(py::init([](const Surface& s, const FieldWeights& weights,
+                       const std::vector<std::vector<int>>& chains) {
              std::vector<std::vector<int>> vertices;
              for (const auto& chain : chains) vertices.push_back(to_mesh_vertices(s, chain));
-             return std::make_unique<LiveTimeField>(s, vertices);
+             py::gil_scoped_release release;
+             return std::make_unique<LiveTimeField>(s, weights, vertices);
            }),
-           py::arg("surface"), py::arg("chains"), py::keep_alive<1, 2>())
+           py::arg("surface"), py::arg("weights"), py::arg("chains"), py::keep_alive<1, 2>())
       .def(
           "solve",
           [](const LiveTimeField& f, const std::vector<double>& times) {

@@ -42,6 +42,11 @@ def time_colors(times):
     return colors
 
 
+def time_stops():
+    """-> (times from -1 to 1, sRGB colours there); between them colours are mixed."""
+    return np.linspace(-1.0, 1.0, len(_STOPS)), _STOPS
+
+
 def to_linear(colors):
     """(n, 4) sRGB -> linear, as Blender keeps colours in attributes and materials."""
     linear = np.array(colors, dtype=np.float32)

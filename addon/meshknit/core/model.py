@@ -9,6 +9,10 @@ import numpy as np
 from .time_sources import TimeSource
 
 
+# Of an opening's lengths in mm: what single precision holds in a scene as large as a person.
+AT_DIGITS, RADIUS_DIGITS = 3, 4
+
+
 @dataclass(frozen=True)
 class Constraint:
     """Vertices that are knit at one time."""
@@ -17,6 +21,7 @@ class Constraint:
     vertices: tuple  # rows of the model's vertices, or of the surface's
     time: float
     on_surface: bool = False  # rows of the checked surface, from which openings are cut
+    entry: int = -1  # of the list of constraints that it comes from, if it comes from one
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,8 @@ class Session:
     problems: list = field(default_factory=list)
     report: dict = field(default_factory=dict)
     message: str = ""
+    guidance: object = None  # guidance.Guidance, once the field was judged
+    suggestions: object = None  # suggestions.Suggestions, once they were asked for
     written: str = ""  # the machine file's full path, once it is there
     revision: int = 0  # grows with every change that a drawing must follow
     serial: int = field(default_factory=lambda: next(_serials))  # of all sessions, this one
@@ -39,6 +41,14 @@ class Session:
         self.look_at(outcome.keys)
         self.revision += 1
 
+    def keep(self, outcome):
+        """Takes over the results of a run in passing: what the report and the list of problems say
+        stays."""
+        if any(self.results.get(s) is not result for s, result in outcome.results.items()):
+            self.results.update(outcome.results)
+            self.revision += 1
+        self.look_at(outcome.keys)
+
     def look_at(self, keys):
         """Says which keys the object has now."""
         if keys != self.keys:
@@ -53,6 +63,9 @@ class Session:
     def is_fresh(self, stage):
         result = self.results.get(stage)
         return result is not None and result.key == self.keys.get(stage)
+
+    def is_guidance_fresh(self):
+        return self.guidance is not None and self.guidance.key == self.keys.get("time")
 
     def stale_stages(self):
         return [s for s in STAGES if s in self.results and not self.is_fresh(s)]

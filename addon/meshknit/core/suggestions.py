@@ -1,20 +1,52 @@
 """Set-ups that the library suggests for a model: openings and times, best first."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import Optional
 
 import numpy as np
 
 from .knit_surface import check_surface, polygons_for_user
 from .machines import make_profile
-from .model import Constraint, Opening
+from .model import AT_DIGITS, RADIUS_DIGITS, Constraint, Opening, digest
 from .workflow import Outcome, describe, run_stages
 
 
+@dataclass
+class Suggestions:
+    """Set-ups for a model, best first, or why there are none."""
+
+    key: str
+    entries: tuple = ()  # in the form of report_entry()
+    problems: tuple = ()
+    message: str = ""
+    applied: Optional[int] = None  # the entry that was made the object's own last
+
+
+def suggestions_key(model, settings):
+    """Changes with all that suggestions depend on: not with the model's marks."""
+    gauge = (settings.stitch_width, settings.stitch_height, settings.machine)
+    return digest("suggest", model.vertices, model.faces, model.face_source, gauge)
+
+
+def find_suggestions(library, model, settings, context):
+    """-> Suggestions, or None if it was cancelled. May run in any thread."""
+    key = suggestions_key(model, settings)
+    try:
+        return Suggestions(key, tuple(suggest(library, model, settings, context)))
+    except library.NotKnittable as error:
+        problems = tuple(polygons_for_user(model, p) for p in error.problems)
+        return Suggestions(key, (), problems, describe(problems) or str(error))
+    except library.InvalidInput as error:
+        return Suggestions(key, message=str(error))
+    except library.Cancelled:
+        return None
+
+
 def suggest(library, model, settings, context):
-    """-> the library's suggestions for the model as it is without any marks of its own. Throws the
-    library's NotKnittable and Cancelled."""
+    """-> the library's suggestions for the model as it is without any marks of its own, as
+    report_entry() has them. Throws the library's NotKnittable, InvalidInput and Cancelled."""
     profile = make_profile(library, settings.machine)
-    return library.suggest_marks(
+    found = library.suggest_marks(
         model.vertices,
         model.faces,
         settings.stitch_width,
@@ -22,6 +54,7 @@ def suggest(library, model, settings, context):
         profile.needles,
         context=context,
     )
+    return [report_entry(suggestion) for suggestion in found]
 
 
 def with_suggestion(library, model, settings, suggestion):
@@ -48,15 +81,15 @@ def with_suggestion(library, model, settings, suggestion):
 def run_suggested(library, model, settings, until, context):
     """Runs the stages with each suggestion in turn, until one of them goes all the way.
     -> (model, outcome, the suggestions' entry in the report)"""
-    try:
-        suggestions = suggest(library, model, settings, context)
-    except library.NotKnittable as error:
-        problems = [polygons_for_user(model, p) for p in error.problems]
-        outcome = Outcome("failed", until, {}, problems=problems)
-        outcome.message = describe(problems) or str(error)
-        return model, outcome, None
-    except library.Cancelled:
+    found = find_suggestions(library, model, settings, context)
+    if found is None:
         return model, Outcome("cancelled", until, {}, message="cancelled"), None
+    if found.message:
+        status = "failed" if found.problems else "usage"
+        outcome = Outcome(status, until, {}, problems=list(found.problems))
+        outcome.message = found.message
+        return model, outcome, None
+    suggestions = found.entries
     tried = []
     for suggestion in suggestions:
         chosen = with_suggestion(library, model, settings, suggestion)
@@ -67,15 +100,19 @@ def run_suggested(library, model, settings, until, context):
     # If none can be knit, the reason is that of the best.
     index = len(tried) - 1 if tried[-1][1].status != "failed" else 0
     model, outcome = tried[index]
-    entry = {"chosen": index, "suggestions": [report_entry(s) for s in suggestions]}
+    entry = {"chosen": index, "suggestions": list(suggestions)}
     return model, outcome, entry
 
 
 def report_entry(suggestion):
-    """A suggestion in the form of a marks file in mm, with its cost and summary."""
+    """A suggestion in the form of a marks file in mm, with its cost and summary. Lengths are rounded
+    to what the marks of a mesh in Blender can hold, so that both say the same."""
     plain = {"format": "meshknit-marks-1", "units": "mm"}
     plain["openings"] = [
-        {"at": [float(x) for x in entry["at"]], "radius": float(entry["radius"])}
+        {
+            "at": [round(float(x), AT_DIGITS) for x in entry["at"]],
+            "radius": round(float(entry["radius"]), RADIUS_DIGITS),
+        }
         for entry in suggestion["openings"]
     ]
     plain["times"] = [

@@ -7,7 +7,7 @@ from ..core.errors import UsageError
 from ..core.job import Job
 from ..core.report import build_report
 from ..core.workflow import run_stages
-from ..scene import sessions
+from ..scene import live, sessions
 from ..scene.edit_mode import active_mesh, hidden_text, object_mode
 from ..scene.time_attribute import publish_time
 from . import running_step
@@ -79,6 +79,7 @@ class StageOperator:
         """Reads all that the run needs. -> a function of a RunContext that returns the outcome,
         or None after saying why not."""
         ob = active_mesh(context)
+        live.stop()
         try:
             library = native.load()
             self._model, self._settings = sessions.read_inputs(context, ob)
@@ -86,8 +87,11 @@ class StageOperator:
             self.report({"ERROR"}, str(error))
             return None
         self._object = ob.name
-        model, settings, until = self._model, self._settings, self.until
-        known = dict(sessions.session_of(ob).results)
+        return self._work(library, self._model, self._settings, sessions.session_of(ob))
+
+    def _work(self, library, model, settings, session):
+        """-> what the thread does: a function of a RunContext that touches no Blender data."""
+        until, known = self.until, dict(session.results)
         return lambda run: run_stages(library, model, settings, until, run, known)
 
     def _finish(self, context, outcome):

@@ -4,10 +4,11 @@ import bpy
 
 from .. import compat, names
 from ..core.colors import time_colors
-from ..scene import sessions
+from ..scene import sessions, shown_field
 from ..scene.read_overlay import read_time_surface
 from . import batches, overlay_data
 from .batches import cached, draw_batch, new_batch, new_thick_lines, thick_shader
+from .draw_field import draw_field
 from .shown import LIFT, active_object, has_fresh_rims, is_cut, stitch_height
 from .text import draw_plate
 
@@ -29,7 +30,12 @@ def _draw_view():
     gpu.state.depth_test_set("LESS_EQUAL")
     if shown.show_time and ob.mode == "OBJECT":
         lift = 0.3 * LIFT * stitch_height(session, shown, "time")
-        if is_cut(session) and session.is_fresh("time"):
+        field = shown_field.shown(ob)
+        if field is not None:
+            # The graph's rows take the place of the lines where rows will be.
+            built = shown.show_graph and session is not None and session.is_fresh("graph")
+            draw_field(field, ob.matrix_world, lift, with_lines=not built)
+        elif is_cut(session) and session.is_fresh("time"):
             draw_batch(_cut_batch(session), lift)
         else:
             draw_batch(_time_batch(ob, session), lift, ob.matrix_world)

@@ -4,7 +4,7 @@ import numpy as np
 
 from .. import names
 from ..core.errors import UsageError
-from ..core.model import Constraint, Model, Opening
+from ..core.model import AT_DIGITS, RADIUS_DIGITS, Constraint, Model, Opening
 from ..core.time_sources import TimeSource
 from .attributes import edge_vertices, positions, read_attribute
 
@@ -58,7 +58,8 @@ def _read_constraints(mesh, settings):
     for index, entry in enumerate(settings.constraints):
         vertices = np.unique(pairs[marks == index + 1])
         if len(vertices):
-            found.append(Constraint(entry.name, tuple(vertices.tolist()), round(entry.time, 6)))
+            time = round(entry.time, 6)
+            found.append(Constraint(entry.name, tuple(vertices.tolist()), time, entry=index))
     return tuple(found)
 
 
@@ -72,9 +73,10 @@ def _read_openings(settings, matrix, scale):
             found.append(Opening(entry.name, time, number=entry.number))
             continue
         at = (matrix[:3, :3] @ np.array(entry.location) + matrix[:3, 3]) * scale
-        # Properties are single precision: rounding gives back what was typed.
-        radius = round(entry.radius * mean * scale, 5)
-        found.append(Opening(entry.name, time, tuple(at.tolist()), radius))
+        # Properties are single precision: rounding gives back what was typed or suggested.
+        at = tuple(np.round(at, AT_DIGITS).tolist())
+        radius = round(entry.radius * mean * scale, RADIUS_DIGITS)
+        found.append(Opening(entry.name, time, at, radius))
     return tuple(found)
 
 

@@ -13,6 +13,9 @@ from .edit_mode import object_mode
 from .read_model import read_model
 from .settings_io import read_settings
 
+# What may have changed about an object.
+ALL, PLACE, TIMES = "ALL", "PLACE", "TIMES"
+
 SECONDS_OF_REST = 0.4  # how long nothing may change before an object is looked at again
 
 _sessions = {}
@@ -20,6 +23,8 @@ _touched = set()
 _revisions = {}  # of every object's mesh, for drawing
 _unit_scale = None  # of the scene, as last seen
 _job = None
+_expected = set()  # objects of whose changed times Blender will tell as of a changed mesh
+_listeners = []  # called with every touched object and what may have changed
 
 
 def session_of(ob):
@@ -30,6 +35,16 @@ def session_of(ob):
 def known_session(ob):
     """The object's session, or None if it has none yet. For drawing."""
     return _sessions.get(compat.object_key(ob)) if ob is not None else None
+
+
+def finding(ob, index):
+    """-> (problem, session): one of the problems of the guidance. Throws UsageError."""
+    session = session_of(ob)
+    if not session.is_guidance_fresh():
+        raise UsageError("The object has changed since: wait for the new guidance")
+    if index >= len(session.guidance.problems):
+        raise UsageError(f"There is no finding {index}")
+    return session.guidance.problems[index], session
 
 
 def job():
@@ -46,10 +61,11 @@ def read_inputs(context, ob):
     """-> (model, settings) of the active object, in any mode. For operators, which may change the
     mode. Throws UsageError."""
     with object_mode(ob):
-        return _read_inputs(context, ob)
+        return read_as_it_is(context, ob)
 
 
-def _read_inputs(context, ob):
+def read_as_it_is(context, ob):
+    """-> (model, settings) of an object. Requires Object Mode. Throws UsageError."""
     context.view_layer.update()
     model = read_model(ob, context.evaluated_depsgraph_get(), context.scene)
     return model, read_settings(context.scene)
@@ -57,16 +73,20 @@ def _read_inputs(context, ob):
 
 def look_again(context, ob):
     """Compares the object with its results, so that stale ones are shown as such. Requires Object
-    Mode: it runs at any moment, when changing the mode could end what a person does."""
+    Mode: it runs at any moment, when changing the mode could end what a person does.
+    -> (model, settings), or None if there are no results or the settings are wrong"""
     _touched.discard(compat.object_key(ob))
     session = known_session(ob)
     if session is None or not session.results:
-        return
+        return None
     try:
-        session.look_at(stage_keys(*_read_inputs(context, ob)))
+        model, settings = read_as_it_is(context, ob)
+        session.look_at(stage_keys(model, settings))
+        return model, settings
     except UsageError as error:
         session.look_at({})
         session.message = str(error)
+        return None
 
 
 def mesh_revision(ob):
@@ -74,9 +94,22 @@ def mesh_revision(ob):
     return _revisions.get(compat.object_key(ob), 0)
 
 
-def touch(ob):
-    """Says that an object may have changed. In the GUI it is looked at again after a moment."""
-    _revisions[compat.object_key(ob)] = mesh_revision(ob) + 1
+def listen(listener):
+    """From now on listener(ob, what) is called for every touched object."""
+    _listeners.append(listener)
+
+
+def end_listening(listener):
+    _listeners.remove(listener)
+
+
+def touch(ob, what=ALL):
+    """Says that an object may have changed, or at most its transform (PLACE) or the times of its
+    marks (TIMES). In the GUI it is looked at again after a moment."""
+    if what != TIMES:
+        _revisions[compat.object_key(ob)] = mesh_revision(ob) + 1
+    for listener in _listeners:
+        listener(ob, what)
     session = known_session(ob)
     if session is None or not session.results:
         return
@@ -87,11 +120,18 @@ def touch(ob):
         bpy.app.timers.register(_look_at_touched, first_interval=SECONDS_OF_REST)
 
 
-def touch_users(data, context):
+def seen(ob):
+    """Says that an object was compared with its results just now."""
+    _touched.discard(compat.object_key(ob))
+
+
+def touch_users(data, context, what=ALL):
     """For properties: touches the objects that show a mesh, or all for a scene's property."""
     for ob in context.scene.objects:
         if ob.type == "MESH" and (ob.data == data or data == context.scene):
-            touch(ob)
+            if what == TIMES:
+                _expected.add(compat.object_key(ob))
+            touch(ob, what)
 
 
 def _look_at_touched():
@@ -116,10 +156,21 @@ def redraw(context):
                 area.tag_redraw()
 
 
+def redraw_sidebars(context):
+    """Redraws the panels of the 3D views, which is cheap."""
+    for window in context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "VIEW_3D":
+                for region in area.regions:
+                    if region.type == "UI":
+                        region.tag_redraw()
+
+
 @persistent
 def _after_load(_):
     _sessions.clear()
     _touched.clear()
+    _expected.clear()
     # Not back to 0: a drawing of the file before must not pass for one of this file.
     for key in _revisions:
         _revisions[key] += 1
@@ -146,7 +197,15 @@ def _after_change(scene, depsgraph):
         if update.is_updated_geometry or update.is_updated_transform:
             ob = update.id.original
             if isinstance(ob, bpy.types.Object) and ob.type == "MESH":
-                touch(ob)
+                touch(ob, _what_changed(ob, update))
+
+
+def _what_changed(ob, update):
+    if not update.is_updated_geometry:
+        return PLACE
+    expected = compat.object_key(ob) in _expected
+    _expected.discard(compat.object_key(ob))
+    return TIMES if expected and not update.is_updated_transform else ALL
 
 
 _HANDLERS = (

@@ -2,9 +2,15 @@
 
 import bpy
 
-from . import panel, panel_openings, panel_results, shapes_menu
+from . import panel, panel_guidance, panel_openings, panel_results, shapes_menu
 
-CLASSES = panel.CLASSES + panel_openings.CLASSES + panel_results.CLASSES + shapes_menu.CLASSES
+CLASSES = (
+    panel.CLASSES
+    + panel_openings.CLASSES
+    + panel_guidance.CLASSES
+    + panel_results.CLASSES
+    + shapes_menu.CLASSES
+)
 
 
 def register():

@@ -86,7 +86,7 @@ def test_a_live_field_follows_changed_times():
     shape = library.example_shape("cone")
     surface, time, _, _ = graph_of(shape)
     chains = [list(vertices) for vertices, _ in constraints_of(surface, shape)]
-    field = library.LiveTimeField(surface, chains)
+    field = library.LiveTimeField(surface, library.FieldWeights(surface), chains)
     np.testing.assert_allclose(field.solve([-1.0, 1.0]), time, atol=1e-9)
     np.testing.assert_allclose(field.solve([-0.5, 0.5]), 0.5 * time, atol=1e-9)
 

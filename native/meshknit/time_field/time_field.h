@@ -23,6 +23,8 @@ enum class LaplacianKind {
   uniform
 };
 
+struct FieldWeights;
+
 /// Harmonic interpolation of constraints (paper, 3.1). All weights are positive, so every free
 /// value is an average of its neighbours and extrema lie on constraints only. Keeps its
 /// factorisation: changed times cost one back-solve, changed places a new solver.
@@ -33,6 +35,9 @@ class TimeFieldSolver {
   /// of the mesh without any constraint.
   TimeFieldSolver(const Surface& surface, const std::vector<std::vector<int>>& constrained,
                   LaplacianKind kind = LaplacianKind::intrinsic_delaunay);
+  /// The same for a surface's field_weights(); the fields are equal.
+  TimeFieldSolver(const FieldWeights& weights,
+                  const std::vector<std::vector<int>>& constrained);
   ~TimeFieldSolver();
   TimeFieldSolver(TimeFieldSolver&&) noexcept;
   TimeFieldSolver& operator=(TimeFieldSolver&&) noexcept;

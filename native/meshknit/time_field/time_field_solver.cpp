@@ -5,13 +5,15 @@
 
 #include "meshknit/core/error.h"
 #include "meshknit/surface/disjoint_sets.h"
-#include "meshknit/time_field/laplacian.h"
+#include "meshknit/time_field/field_weights.h"
 #include "meshknit/time_field/time_field.h"
 
 namespace meshknit {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
+// The rows come in a good order already.
+using Factor = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
 // Far from every constraint (the end of a long tentacle) a harmonic field is constant up to
 // rounding, and rounding has peaks and valleys. On a grid a thousand times coarser than
@@ -47,7 +49,7 @@ struct TimeFieldSolver::Impl {
   std::vector<int> row;    // of a free vertex in the system; -1: constrained
   std::size_t chains = 0;
   Matrix pull;  // free vertices x chains: how chains pull their neighbours
-  Eigen::SimplicialLDLT<Matrix> factor;
+  Factor factor;
 
   void constrain(std::size_t vertices, const std::vector<std::vector<int>>& constrained);
   void factorise(const std::vector<EdgeWeight>& weights, int free_vertices);
@@ -75,6 +77,7 @@ void TimeFieldSolver::Impl::constrain(std::size_t vertices,
 void TimeFieldSolver::Impl::factorise(const std::vector<EdgeWeight>& weights,
                                       int free_vertices) {
   std::vector<Eigen::Triplet<double>> system, pulls;
+  system.reserve(3 * weights.size());
   for (const EdgeWeight& w : weights) {
     const std::array<int, 2> ends = {w.a, w.b};
     for (int i = 0; i < 2; ++i) {
@@ -99,13 +102,19 @@ void TimeFieldSolver::Impl::factorise(const std::vector<EdgeWeight>& weights,
 TimeFieldSolver::TimeFieldSolver(const Surface& surface,
                                  const std::vector<std::vector<int>>& constrained,
                                  LaplacianKind kind)
+    : TimeFieldSolver(field_weights(surface, kind), constrained) {}
+
+TimeFieldSolver::TimeFieldSolver(const FieldWeights& weights,
+                                 const std::vector<std::vector<int>>& constrained)
     : impl_(std::make_unique<Impl>()) {
-  impl_->constrain(surface.mesh.n_vertices(), constrained);
+  const std::vector<int>& order = weights.elimination_order;
+  impl_->constrain(order.size(), constrained);
+  require_connected(weights.weights, impl_->chain);
   int free_vertices = 0;
-  for (const int c : impl_->chain) impl_->row.push_back(c < 0 ? free_vertices++ : -1);
-  const std::vector<EdgeWeight> weights = laplacian_weights(surface.mesh, kind);
-  require_connected(weights, impl_->chain);
-  impl_->factorise(weights, free_vertices);
+  impl_->row.assign(order.size(), -1);
+  for (const int v : order)
+    if (impl_->chain[v] < 0) impl_->row[v] = free_vertices++;
+  impl_->factorise(weights.weights, free_vertices);
 }
 
 TimeFieldSolver::~TimeFieldSolver() = default;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "meshknit/core/error.h"
+#include "meshknit/time_field/field_weights.h"
 #include "surface/test_meshes.h"
 
 namespace meshknit {
@@ -46,6 +47,21 @@ TEST(TimeField, RisesEvenlyAlongAPrismHoweverItIsCutIntoTriangles) {
     EXPECT_NEAR(field.time[v], 2.0 * height(surface, v) / 100.0 - 1.0, 1e-6);
   EXPECT_EQ(field.check.extrema, 0);
   EXPECT_EQ(field.check.saddles, 0);
+}
+
+TEST(TimeField, KeptWeightsServeEveryChainAlike) {
+  const Surface surface = surface_of(tube_with_uneven_rings());
+  const FieldWeights weights = field_weights(surface);
+  const std::vector<int> rim = surface.boundaries[0].vertices,
+                         other = surface.boundaries[1].vertices;
+  const std::vector<int> chain = {6 * 24, 6 * 24 + 1, 6 * 24 + 2};
+  for (const auto& chains : {std::vector<std::vector<int>>{rim, other},
+                             std::vector<std::vector<int>>{rim, other, chain}}) {
+    std::vector<double> times = {-1.0, 1.0, 0.7};
+    times.resize(chains.size());
+    EXPECT_EQ(TimeFieldSolver(weights, chains).solve(times),
+              TimeFieldSolver(surface, chains).solve(times));
+  }
 }
 
 TEST(TimeField, OnAConeFollowsTheLogarithmOfTheDistanceFromTheTip) {

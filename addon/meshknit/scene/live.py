@@ -1,0 +1,279 @@
+"""The live field: what is known of the active object while a person works on it.
+
+Changes only mark it as dirty. A timer then does what is due, long work in a thread: the field anew
+where surface or chains have changed, one back-solve where times have; after a moment of rest guidance,
+and the knit graph. Nothing of Blender's is kept from one tick to the next but names and numbers."""
+
+import time
+from dataclasses import dataclass, field
+
+import bpy
+from bpy.app.handlers import persistent
+from mathutils import Matrix
+
+from .. import compat, names, native
+from ..core.errors import UsageError
+from ..core.guidance import assess
+from ..core.job import Job
+from ..core.live_field import make_live_field
+from ..core.report import build_report
+from ..core.workflow import run_stages
+from . import sessions, shown_field
+from .edit_mode import active_mesh
+from .shown_field import shown
+
+POLL, WAIT = 0.01, 0.1  # seconds between looks at work of our own, and at what others do
+REST = 0.25  # seconds without changes before guidance and graph
+PATIENCE = 0.15  # seconds that an old field is shown as if nothing had happened
+
+FIELD, JUDGE, GRAPH = "FIELD", "JUDGE", "GRAPH"
+
+
+@dataclass
+class _Work:
+    """A job and what it is about."""
+
+    kind: str
+    key: object
+    job: Job
+    model: object
+    settings: object
+    matrix: Matrix
+    began: float
+
+
+@dataclass
+class _State:
+    key: object = None  # of the object that all of this is about
+    changed: set = field(default_factory=set)  # of sessions' words
+    last_change: float = 0.0
+    inputs: tuple = None  # (model, settings, matrix) as last read, while nothing has changed since
+    due: set = field(default_factory=set)  # of FIELD, JUDGE, GRAPH
+
+
+_state = _State()
+_work = None
+
+
+def progress():
+    """-> (kind, fraction) of the work in the background, or None. For drawing."""
+    return None if _work is None else (_work.kind, _work.job.progress)
+
+
+def is_wanted(ob):
+    """True for objects that someone means to knit: others are left in peace."""
+    settings = getattr(ob.data, names.PROPERTIES)
+    marked = settings.constraints or settings.openings or settings.time_source == "ATTRIBUTE"
+    return bool(marked) or sessions.known_session(ob) is not None
+
+
+def stop():
+    """Ends the work in the background; what it was for is due again. For steps that a person starts,
+    and before Blender's data go."""
+    global _work
+    if _work is not None:
+        _work.job.cancel()
+        _work.job.wait()
+        _state.due.add(_work.kind)
+        _work = None
+
+
+def tick():
+    """Does what is due. -> seconds until the next tick, or None if nothing is left."""
+    context = bpy.context
+    ob = active_mesh(context)
+    if _work is not None:
+        if _state.changed and _work.kind != FIELD:
+            _work.job.cancel()
+        if _work.job.running:
+            _while_working(context, ob)
+            return POLL
+        _end_work(context, ob)
+    if ob is None or not is_wanted(ob):
+        _forget()
+        return None
+    if sessions.job() is not None:
+        return WAIT
+    if compat.object_key(ob) != _state.key:
+        _begin_with(ob)
+    return _next_step(context, ob)
+
+
+def _next_step(context, ob):
+    if _state.changed:
+        _state.inputs = None
+    if sessions.TIMES in _state.changed and not shown_field.follow(context, ob):
+        _state.changed.add(sessions.ALL)
+    _state.changed.discard(sessions.TIMES)
+    if ob.mode != "OBJECT":  # attributes cannot be read; a person is at work
+        return WAIT if _state.changed or _state.due else None
+    if sessions.ALL in _state.changed:
+        _state.due.add(FIELD)
+    _state.changed.clear()
+    if FIELD in _state.due:
+        return POLL if _start(context, ob, FIELD, _find_field) else None
+    if not _state.due:
+        return None
+    if time.monotonic() - _state.last_change < REST:
+        return WAIT
+    if JUDGE in _state.due:
+        return POLL if _start(context, ob, JUDGE, _judge) else None
+    _state.due.discard(GRAPH)
+    session = sessions.session_of(ob)
+    if getattr(context.scene, names.PROPERTIES).live_graph and not session.is_fresh("graph"):
+        if session.is_fresh("time"):
+            return POLL if _start(context, ob, GRAPH, _build) else None
+    return None
+
+
+def _begin_with(ob):
+    """Another object than before: all is to be found out."""
+    if shown(ob) is None:
+        shown_field.forget()
+    key = compat.object_key(ob)
+    _state.key, _state.inputs, _state.last_change = key, None, time.monotonic()
+    _state.changed, _state.due = {sessions.ALL}, {FIELD, JUDGE, GRAPH}
+
+
+def _forget():
+    shown_field.forget()
+    _state.key, _state.inputs = None, None
+    _state.changed.clear()
+    _state.due.clear()
+
+
+def _start(context, ob, kind, work):
+    """-> False if the object cannot be read."""
+    global _work
+    try:
+        library = native.load()
+        if _state.inputs is None:
+            model, settings = sessions.read_as_it_is(context, ob)
+            _state.inputs = (model, settings, ob.matrix_world.copy())
+    except (native.NativeMissing, UsageError) as error:
+        sessions.session_of(ob).message = str(error)
+        _state.due.clear()
+        return False
+    model, settings, matrix = _state.inputs
+    known = dict(sessions.session_of(ob).results)
+    before = shown(ob).live if shown(ob) is not None else None
+    _state.due.discard(kind)
+    job = Job(lambda run: work(library, model, settings, run, known, before), library.RunContext())
+    _work = _Work(kind, compat.object_key(ob), job, model, settings, matrix, time.monotonic())
+    return True
+
+
+def _find_field(library, model, settings, run, known, before):
+    return make_live_field(library, model, settings, run, known, before)
+
+
+def _judge(library, model, settings, run, known, before):
+    """The field once more: after changes of times its keys are old, and a rare change may have
+    come under cover of another."""
+    live, outcome = make_live_field(library, model, settings, run, known, before)
+    return live, *assess(library, model, settings, run, {**known, **outcome.results})
+
+
+def _build(library, model, settings, run, known, _before):
+    return run_stages(library, model, settings, "graph", run, known)
+
+
+def _while_working(context, ob):
+    if ob is None or compat.object_key(ob) != _work.key:
+        return
+    if _work.kind != FIELD:
+        if sessions.TIMES in _state.changed:
+            shown_field.follow(context, ob)
+        sessions.redraw_sidebars(context)
+    elif time.monotonic() - _work.began > PATIENCE:
+        shown_field.grey(context, ob)
+
+
+def _end_work(context, ob):
+    """Publishes what a job found, if it is still about the active object as it is."""
+    global _work
+    work, _work = _work, None
+    if work.job.error:
+        raise RuntimeError(work.job.error)
+    gone = ob is None or compat.object_key(ob) != work.key or work.job.value is None
+    if gone or (work.kind != FIELD and _state.changed):
+        _state.due.add(work.kind)
+        return
+    _PUBLISH[work.kind](context, ob, work)
+    sessions.redraw(context)
+
+
+def _publish_field(context, ob, work):
+    live, outcome = work.job.value
+    if outcome.status != "cancelled":
+        sessions.session_of(ob).keep(outcome)
+        _adopt(context, ob, live, work)
+        _state.due.update((JUDGE, GRAPH))
+
+
+def _adopt(context, ob, live, work):
+    if not shown_field.adopt(context, ob, live, work.matrix):
+        _state.changed.add(sessions.ALL)
+
+
+def _publish_judgement(context, ob, work):
+    live, guidance, outcome = work.job.value
+    if guidance is None:
+        return
+    session = sessions.session_of(ob)
+    session.keep(outcome)
+    session.guidance = guidance
+    sessions.seen(ob)
+    _adopt(context, ob, live, work)
+    _state.due.add(GRAPH)
+
+
+def _publish_graph(_context, ob, work):
+    outcome = work.job.value
+    report = build_report(native.load(), work.model, work.settings, outcome)
+    sessions.session_of(ob).adopt(outcome, report)
+
+
+_PUBLISH = {FIELD: _publish_field, JUDGE: _publish_judgement, GRAPH: _publish_graph}
+
+
+def _on_touch(ob, what):
+    if active_mesh(bpy.context) != ob or not is_wanted(ob):
+        return
+    _state.changed.add(what)
+    _state.due.update((JUDGE, GRAPH))
+    _state.last_change = time.monotonic()
+    _wake()
+
+
+def _wake():
+    # In background nobody looks on; tests and scripts call tick() themselves.
+    if not bpy.app.background and not bpy.app.timers.is_registered(tick):
+        bpy.app.timers.register(tick, first_interval=0.0)
+
+
+@persistent
+def _before_load(_):
+    stop()
+
+
+@persistent
+def _after_load(_):
+    _forget()
+    _wake()
+
+
+def register():
+    sessions.listen(_on_touch)
+    bpy.app.handlers.load_pre.append(_before_load)
+    bpy.app.handlers.load_post.append(_after_load)
+
+
+def unregister():
+    stop()
+    _forget()
+    if bpy.app.timers.is_registered(tick):
+        bpy.app.timers.unregister(tick)
+    bpy.app.handlers.load_post.remove(_after_load)
+    bpy.app.handlers.load_pre.remove(_before_load)
+    sessions.end_listening(_on_touch)
