@@ -10,6 +10,7 @@ import meshknit
 from meshknit.scene import sessions
 from meshknit.scene.shapes import add_object, make_mesh
 from meshknit.ui.panel import MESHKNIT_PT_knit
+from stills import pytest_addoption, stills  # noqa: F401  (for pytest to find)
 from user import User, pump, pump_until
 
 meshknit.register()

@@ -86,35 +86,55 @@ class User:
             panel.draw = draw
         raise AssertionError("the sidebar has no tab with this panel")
 
-    def operator_under_mouse(self):
+    def call_under_mouse(self, region=None):
         """The Python call of the button under the mouse, as Blender itself copies it; or ''."""
+        return self._copied(bpy.ops.ui.copy_python_command_button, region)
+
+    def field_under_mouse(self):
+        """The data path of the sidebar's field under the mouse; or ''."""
+        return self._copied(bpy.ops.ui.copy_data_path_button, full_path=True)
+
+    def _copied(self, copy, region=None, **arguments):
+        region = region or self.sidebar
         manager = bpy.context.window_manager
         manager.clipboard = ""
-        with bpy.context.temp_override(window=self.window, area=self.area, region=self.sidebar):
-            if bpy.ops.ui.copy_python_command_button.poll():
-                bpy.ops.ui.copy_python_command_button()
+        with bpy.context.temp_override(window=self.window, area=self.area, region=region):
+            if copy.poll():
+                copy(**arguments)
         return manager.clipboard
 
     def find_button(self, call, fraction=0.4, screens=4):
         """Moves down the sidebar until the mouse is over the button that makes this Python call
         (its beginning is enough); then the same from the sidebar's top, scrolling. -> (x, y)"""
+        beginning = f"bpy.ops.{call}"
+        seen = self._find(lambda: self.call_under_mouse().startswith(beginning), fraction, screens)
+        assert seen is not None, f"the sidebar shows no button for {call}"
+        return seen
+
+    def find_field(self, path, fraction=0.4, screens=4):
+        """The same for a field whose data path ends like this."""
+        seen = self._find(lambda: self.field_under_mouse().endswith(path), fraction, screens)
+        assert seen is not None, f"the sidebar shows no field for {path}"
+        return seen
+
+    def _find(self, is_here, fraction, screens):
         x = int(self.sidebar.width * fraction)
         for screen in range(screens):
-            for y in range(self.sidebar.height - 30, 5, -12):
-                if not self._is_button(call, x, y):
+            for y in range(self.sidebar.height - 30, 5, -18):
+                if not self._is_at(is_here, x, y):
                     continue
                 # Blender may still name the button that the mouse has just left.
                 for near in (y, y + 12, y + 6):
                     pump(2)
-                    if self._is_button(call, x, near, turns=3):
+                    if self._is_at(is_here, x, near, turns=3):
                         return x, near
             self.scroll(-40 if screen == 0 else 8)
-        raise AssertionError(f"the sidebar shows no button for {call}")
+        return None
 
-    def _is_button(self, call, x, y, turns=0):
+    def _is_at(self, is_here, x, y, turns=0):
         self.move(self.sidebar, x, y)
         pump(turns)
-        return self.operator_under_mouse().startswith(f"bpy.ops.{call}")
+        return is_here()
 
     def scroll(self, steps):
         """Scrolls the sidebar: down for positive steps."""
@@ -126,3 +146,49 @@ class User:
     def click_button(self, call):
         """Clicks the button of the sidebar that makes this Python call."""
         self.click(self.sidebar, *self.find_button(call))
+
+    def fill_in(self, path, text):
+        """Types a text into the field of the sidebar with this data path, in place of its own."""
+        self.move(self.sidebar, *self.find_field(path))
+        for _ in range(2):
+            self.event("LEFTMOUSE", "PRESS")
+            self.event("LEFTMOUSE", "RELEASE")
+        self.press("A", ctrl=True)
+        for character in text:
+            self.event("A", "PRESS", unicode=character)
+            self.event("A", "RELEASE")
+        self.press("RET")
+
+    def choose_tool(self, name):
+        """Clicks a tool of the toolbar."""
+        toolbar = next(r for r in self.area.regions if r.type == "TOOLS")
+        for y in range(toolbar.height - 12, 5, -12):
+            self.move(toolbar, toolbar.width // 2, y)
+            pump(2)
+            if f'"{name}"' in self.call_under_mouse(toolbar):
+                self.click()
+                return
+        raise AssertionError(f"the toolbar has no tool {name}")
+
+    def add_knit_shape(self, from_last=0, choose=True):
+        """Add > Mesh > Knit, by keys, and there the last entry or one above it."""
+        self.over_view()
+        self.press("A", shift=True)
+        for key in ("M", "END", "RIGHT_ARROW", "END", *["UP_ARROW"] * from_last):
+            self.press(key)
+        if choose:
+            self.press("RET")
+
+    def fill_window(self):
+        """Gives the whole window to the 3D view."""
+        self.over_view()
+        self.press("SPACE", ctrl=True)
+        pump(4)
+        self.__init__()
+        self.over_view()
+
+    def look_at_object(self, key="NUMPAD_1", **keys):
+        """From one of Blender's views, as near as it fits."""
+        self.over_view()
+        self.press(key, **keys)
+        self.press("NUMPAD_PERIOD")

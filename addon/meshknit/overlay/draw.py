@@ -14,7 +14,15 @@ from .text import draw_plate
 
 THICKNESS = 2.5  # pixels, of short rows and shaping
 LEGEND_SHADE = (0.85, 0.85, 0.85, 0.85)
-LEGEND_LEFT, LEGEND_BOTTOM, LEGEND_STEP, LEGEND_SIZE, LEGEND_WIDTH = 18, 18, 18, 12, 270
+# Pixels at scale 1; texts begin LEGEND_TEXT beside their lines.
+LEGEND_LEFT, LEGEND_BOTTOM, LEGEND_STEP, LEGEND_SIZE, LEGEND_TEXT, LEGEND_FRAME = (
+    18,
+    18,
+    18,
+    12,
+    36,
+    8,
+)
 
 _handles = []
 
@@ -119,21 +127,30 @@ def _draw_legend():
 
     fresh = session.is_fresh("graph")
     entries = overlay_data.LEGEND if fresh else (("column", "Knit graph of an earlier state"),)
-    left = LEGEND_LEFT + _width_of_toolbar()
-    height = len(entries) * LEGEND_STEP + 10
-    draw_plate(left - 8, LEGEND_BOTTOM - 8, LEGEND_WIDTH, height, LEGEND_SHADE)
-    blf.size(0, LEGEND_SIZE)
+    scale = bpy.context.preferences.system.ui_scale
+    step = LEGEND_STEP * scale
+    blf.size(0, LEGEND_SIZE * scale)
+    width = LEGEND_TEXT * scale + max(blf.dimensions(0, text)[0] for _, text in entries)
+    left = LEGEND_LEFT * scale + _size_of_region("TOOLS")[0]
+    # Blender's own panel for the last step has the same corner.
+    bottom = LEGEND_BOTTOM * scale + _size_of_region("HUD")[1]
+    frame = LEGEND_FRAME * scale
+    plate = (width + 2 * frame, (len(entries) - 1) * step + LEGEND_SIZE * scale + 2 * frame)
+    draw_plate(left - frame, bottom - frame, *plate, LEGEND_SHADE)
     for line, (kind, text) in enumerate(reversed(entries)):
-        blf.position(0, left, LEGEND_BOTTOM + line * LEGEND_STEP, 0)
-        blf.color(0, *overlay_data.COLORS[kind])
-        blf.draw(0, "\u2014\u2014")
-        blf.position(0, left + 3 * LEGEND_SIZE, LEGEND_BOTTOM + line * LEGEND_STEP, 0)
+        y = bottom + line * step
+        thickness = (1.0 if kind in ("row", "column") else THICKNESS) * scale
+        length = (LEGEND_TEXT - 10) * scale
+        draw_plate(left, y + 4 * scale, length, thickness, overlay_data.COLORS[kind])
+        blf.position(0, left + LEGEND_TEXT * scale, y, 0)
         blf.color(0, 0.05, 0.05, 0.05, 1.0)
         blf.draw(0, text)
 
 
-def _width_of_toolbar():
-    return next((r.width for r in bpy.context.area.regions if r.type == "TOOLS"), 0)
+def _size_of_region(kind):
+    """Width and height; a hidden region has a pixel."""
+    region = next((r for r in bpy.context.area.regions if r.type == kind), None)
+    return (region.width, region.height) if region is not None else (0, 0)
 
 
 def register():

@@ -41,7 +41,9 @@ class KnitTimeTool:
         else:
             layout.prop(entry, "time")
         if marks.kind == "OPENING" and entry.number == 0:
-            layout.prop(entry, "radius")
+            wide = layout.row()
+            wide.ui_units_x = 8  # as wide as others, the name would be cut off
+            wide.prop(entry, "radius")
         layout.operator(names.OP_REMOVE_MARK, text="", icon="X")
 
 

@@ -130,7 +130,7 @@ class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
         if context.object.mode == "EDIT":
             column.operator(names.OP_ADD_CONSTRAINT, icon="ADD")
         else:
-            column.label(text="Edit Mode: from edges")
+            column.label(text="More in Edit Mode")
 
     def _draw_source(self, context, mesh):
         """What a source other than the constraints needs to know."""
