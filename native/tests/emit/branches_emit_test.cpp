@@ -8,6 +8,7 @@
 #include <string>
 
 #include "branching_graphs.h"
+#include "emit/knitted_program.h"
 #include "graphs.h"
 #include "meshknit/core/error.h"
 #include "meshknit/emit/emit_program.h"
@@ -22,27 +23,8 @@
 namespace meshknit {
 namespace {
 
-const MachineProfile& shima() {
-  static const MachineProfile profile = machine_profile("shima_swg091n2");
-  return profile;
-}
-
-std::string errors_of(const Problems& problems) {
-  std::string text;
-  for (const Problem& problem : problems)
-    if (problem.severity == Severity::error)
-      text += problem.code + ": " + problem.message + "\n";
-  return text;
-}
-
-/// Schedules, emits and writes a graph, and asks the independent check what came out.
 std::string errors_of_program(const KnitGraph& graph) {
-  const StitchTrace trace = trace_knit_graph(graph);
-  const Schedule schedule = schedule_stitches(trace, shima());
-  const std::string wrong = errors_of(check_schedule(trace, schedule, shima()));
-  if (!wrong.empty()) return wrong;
-  const std::string text = write_knitout(emit_program(trace, schedule, shima()));
-  return errors_of(verify_knitout(text, shima(), trace).problems);
+  return meshknit::errors_of_program(trace_knit_graph(graph));
 }
 
 Program program_of(const KnitGraph& graph) {
