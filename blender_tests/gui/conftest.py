@@ -1,10 +1,13 @@
 """One Blender for all GUI tests; every test starts with an empty scene and the Knit tab open."""
 
+import subprocess
+
 import bpy
+import numpy as np
 import pytest
 
 import meshknit
-from meshknit.scene import sessions
+from meshknit.scene import live, sessions
 from meshknit.ui.panel import MESHKNIT_PT_knit
 from user import User, pump, pump_until
 
@@ -46,3 +49,24 @@ def tube(run):
     run(bpy.ops.view3d.view_selected)
     run(bpy.ops.ed.undo_push, message="tube")
     return bpy.context.object
+
+
+@pytest.fixture
+def picture(user):
+    """Takes a picture of the 3D view as it stands on the screen: (height, width, 3), 0 to 1, from
+    below. Off-screen drawing and screen.screenshot leave the overlay out in some Blenders."""
+
+    def take():
+        pump(2)
+        bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
+        view = user.view
+        top = user.window.height - view.y - view.height
+        crop = f"{view.width - user.sidebar.width}x{view.height}+{view.x}+{top}"
+        command = ["import", "-window", "root", "-crop", crop, "+repage", "-depth", "8", "ppm:-"]
+        data = subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout
+        _, width, height, _ = data.split(maxsplit=4)[:4]
+        width, height = int(width), int(height)
+        values = np.frombuffer(data[-width * height * 3 :], np.uint8)
+        return values.reshape(height, width, 3)[::-1] / 255.0
+
+    return take

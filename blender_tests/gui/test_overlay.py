@@ -1,54 +1,10 @@
 """What the overlay draws, as pixels of the screen."""
 
-import subprocess
-
 import bpy
 import numpy as np
-import pytest
 
+from pictures import count, show
 from user import pump
-
-
-@pytest.fixture
-def picture(user):
-    """Takes a picture of the 3D view as it stands on the screen: (height, width, 3), 0 to 1, from
-    below. Off-screen drawing and screen.screenshot leave the overlay out in some Blenders."""
-
-    def take():
-        pump(2)
-        bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
-        view = user.view
-        top = user.window.height - view.y - view.height
-        crop = f"{view.width - user.sidebar.width}x{view.height}+{view.x}+{top}"
-        command = ["import", "-window", "root", "-crop", crop, "+repage", "-depth", "8", "ppm:-"]
-        data = subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout
-        _, width, height, _ = data.split(maxsplit=4)[:4]
-        width, height = int(width), int(height)
-        values = np.frombuffer(data[-width * height * 3 :], np.uint8)
-        return values.reshape(height, width, 3)[::-1] / 255.0
-
-    return take
-
-
-def count(picture, kind):
-    red, green, blue = picture[:, :, 0], picture[:, :, 1], picture[:, :, 2]
-    if kind == "blue":
-        return int(((blue > red + 0.15) & (blue > green)).sum())
-    if kind == "red":
-        return int(((red > blue + 0.15) & (red > green + 0.1)).sum())
-    if kind == "orange":
-        return int(((red > 0.9) & (green < 0.6) & (blue < 0.15)).sum())
-    return int(((red > green + 0.25) & (blue > green + 0.25)).sum())  # magenta
-
-
-def show(user, **shown):
-    for name, value in shown.items():
-        setattr(bpy.context.scene.meshknit, name, value)
-    space = user.area.spaces.active
-    space.show_gizmo = False
-    for name in ("floor", "axis_x", "axis_y", "cursor", "outline_selected", "text"):
-        setattr(space.overlay, f"show_{name}", False)
-    pump(4)
 
 
 def test_time_is_blue_below_and_red_above(user, run, tube, picture):
@@ -66,6 +22,7 @@ def test_time_is_blue_below_and_red_above(user, run, tube, picture):
 
 
 def test_decreases_are_magenta_until_they_are_stale(user, run, picture):
+    bpy.context.scene.meshknit.live_graph = False
     run(bpy.ops.meshknit.add_cone)
     run(bpy.ops.view3d.view_selected)
     show(user, show_time=False)
