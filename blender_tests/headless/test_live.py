@@ -216,3 +216,19 @@ def test_what_time_changes_is_not_read_again(tube, monkeypatch):
         # Blender tells of it as of a changed mesh.
         bpy.context.view_layer.update()
     assert reads == [] and field().times.min() == pytest.approx(-0.5)
+
+
+def test_a_chain_shows_its_field_while_it_is_drawn(tube):
+    settle()
+    ring = list(range(2 * 36, 2 * 36 + 12))
+    live.draw_chain(tube, ring, 0.9)
+    for _ in range(500):
+        if live.tick() == live.WAIT:
+            break
+        live.time.sleep(live.POLL)
+    assert (field().times[ring] == 0.9).all()
+    # It is no mark yet, and what is built is not of it.
+    assert len(entries()) == 2 and not session().is_fresh("graph")
+    live.end_chain()
+    settle()
+    assert (field().times[ring] < 0.5).all() and session().is_fresh("graph")
