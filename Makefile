@@ -41,7 +41,9 @@ bench:
 	@cmake --build $(BUILD)/test --parallel $(JOBS)
 	@failed=0; for program in $(BUILD)/test/native/benchmarks/bench_*; do \
 	  test ! -x $$program || test -d $$program || \
-	    { echo "== $$(basename $$program)"; $$program || failed=1; }; done; exit $$failed
+	    { echo "== $$(basename $$program)"; $$program || failed=1; }; done; \
+	  echo "== bench_live"; $(BLENDER) --background --factory-startup \
+	    --python blender_tests/bench_live.py || failed=1; exit $$failed
 
 format:
 	@.ci/install_packages format

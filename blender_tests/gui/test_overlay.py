@@ -3,28 +3,8 @@
 import bpy
 import numpy as np
 
+from pictures import count, show
 from user import pump
-
-
-def count(picture, kind):
-    red, green, blue = picture[:, :, 0], picture[:, :, 1], picture[:, :, 2]
-    if kind == "blue":
-        return int(((blue > red + 0.15) & (blue > green)).sum())
-    if kind == "red":
-        return int(((red > blue + 0.15) & (red > green + 0.1)).sum())
-    if kind == "orange":
-        return int(((red > 0.9) & (green < 0.6) & (blue < 0.15)).sum())
-    return int(((red > green + 0.25) & (blue > green + 0.25)).sum())  # magenta
-
-
-def show(user, **shown):
-    for name, value in shown.items():
-        setattr(bpy.context.scene.meshknit, name, value)
-    space = user.area.spaces.active
-    space.show_gizmo = False
-    for name in ("floor", "axis_x", "axis_y", "cursor", "outline_selected", "text"):
-        setattr(space.overlay, f"show_{name}", False)
-    pump(4)
 
 
 def test_time_is_blue_below_and_red_above(user, run, tube, picture):
@@ -42,6 +22,7 @@ def test_time_is_blue_below_and_red_above(user, run, tube, picture):
 
 
 def test_decreases_are_magenta_until_they_are_stale(user, run, picture):
+    bpy.context.scene.meshknit.live_graph = False
     run(bpy.ops.meshknit.add_cone)
     run(bpy.ops.view3d.view_selected)
     show(user, show_time=False)

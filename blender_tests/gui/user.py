@@ -103,7 +103,7 @@ class User:
                 copy(**arguments)
         return manager.clipboard
 
-    def find_button(self, call, fraction=0.4, screens=4):
+    def find_button(self, call, fraction=0.4, screens=7):
         """Moves down the sidebar until the mouse is over the button that makes this Python call
         (its beginning is enough); then the same from the sidebar's top, scrolling. -> (x, y)"""
         beginning = f"bpy.ops.{call}"
@@ -138,7 +138,8 @@ class User:
 
     def scroll(self, steps):
         """Scrolls the sidebar: down for positive steps."""
-        self.move(self.sidebar, self.sidebar.width // 3, self.sidebar.height // 2)
+        # In the margin: over a list the wheel would scroll the list.
+        self.move(self.sidebar, 6, self.sidebar.height // 2)
         for _ in range(abs(steps)):
             self.event("WHEELDOWNMOUSE" if steps > 0 else "WHEELUPMOUSE", "PRESS")
         pump(2)

@@ -26,8 +26,8 @@ _REMEDIES = {
     "all-times-equal": (SUGGEST,),
     "no-start": (SUGGEST,),
     "no-end": (SUGGEST,),
-    "closed-surface": (SUGGEST,),
-    "no-boundary": (SUGGEST,),
+    "too-few-boundaries": (SELECT, SUGGEST),
+    "time-stands-still": (SELECT, SUGGEST),
 }
 
 
@@ -86,7 +86,7 @@ def assess(library, model, settings, context, known=None):
     numbers = (
         ("Rows", f"about {rows.max():.0f}"),
         ("Stitches", f"about {_rounded(cost['stitches'])}"),
-        ("Widest row", f"{cost['needles']:.0f} of {profile.needles} needles"),
+        ("Needles", f"{cost['needles']:.0f} of {profile.needles}"),
         ("Shaping", f"about {_rounded(cost['shaping'])}"),
         ("Short rows", f"about {_rounded(cost['short_rows'])}"),
     )

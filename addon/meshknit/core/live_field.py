@@ -35,7 +35,8 @@ class LiveField:
     scale: float  # mm per unit of the scene
     shape: KnitShape
     chains: tuple = ()  # rows of the surface that have one time
-    sources: tuple = ()  # of each chain: ("constraints" or "openings", entry of that list)
+    # Of each chain: ("constraints" or "openings", entry of that list) or ("drawn", its time).
+    sources: tuple = ()
     solver: Optional[object] = None  # library.LiveTimeField
     own_time: Optional[np.ndarray] = None
 
@@ -94,7 +95,9 @@ def _chains(knit, model):
     found = []
     for constraint in model.constraints:
         rows = constraint.vertices if constraint.on_surface else knit.rows_of(constraint.vertices)
-        found.append((rows, ("constraints", constraint.entry)))
+        listed = constraint.entry >= 0
+        source = ("constraints", constraint.entry) if listed else ("drawn", constraint.time)
+        found.append((rows, source))
     for rim in knit.rims:
         if rim.time(model) is not None:
             found.append((rim.vertices, ("openings", rim.opening)))

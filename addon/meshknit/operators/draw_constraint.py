@@ -10,7 +10,7 @@ from ..core.chain_drawing import ChainDrawing
 from ..core.errors import UsageError
 from ..core.marks import parse_vertices
 from ..overlay import stroke
-from ..scene import constraints, mark_lists
+from ..scene import constraints, live, mark_lists
 from .edit_mark import pick
 from .mark_base import MarkOperator, time_property
 from .stroke_base import StrokeOperator, new_time
@@ -94,6 +94,7 @@ class MESHKNIT_OT_draw_constraint(StrokeOperator, MarkOperator, bpy.types.Operat
         hit = pointer.hit()
         if hit is not None and hit.vertex is not None:
             self._drawing.extend_to(hit.vertex)
+        live.draw_chain(ob, self._drawing.vertices(), self.time)
         stroke.show(stroke.Stroke(pointer.shown_places(self._drawing.vertices()), self.time))
 
     def text(self):

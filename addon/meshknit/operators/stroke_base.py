@@ -3,7 +3,7 @@ execute() as one undo step, or with Esc in nothing."""
 
 from .. import names, native
 from ..overlay import stroke
-from ..scene import sessions
+from ..scene import live, sessions
 from ..scene.canvas import canvas_of
 from ..scene.edit_mode import active_mesh
 from ..scene.mark_lists import suggested_time
@@ -95,6 +95,7 @@ class StrokeOperator:
     def cancel(self, context):
         """Blender closes, or loads another file, in mid-stroke."""
         stroke.clear()
+        live.end_chain()
 
     def _is_still_there(self, context):
         ob = active_mesh(context)
@@ -107,6 +108,7 @@ class StrokeOperator:
 
     def _end(self, context):
         stroke.clear()
+        live.end_chain()
         if context.area is not None:
             context.area.header_text_set(None)
         sessions.redraw(context)

@@ -1,6 +1,7 @@
 """Draws the live field. Called while drawing only."""
 
 import numpy as np
+from mathutils import Matrix
 
 from .batches import cached
 from .field_shader import LINE_STRENGTH, field_shader
@@ -14,9 +15,10 @@ def draw_field(field, matrix_world, lift, with_lines):
     shader = field_shader()
     shader.bind()
     moved = matrix_world @ field.matrix.inverted_safe()
-    shader.uniform_float("view", gpu.matrix.get_model_view_matrix() @ moved)
-    shader.uniform_float("projection", gpu.matrix.get_projection_matrix())
-    shader.uniform_float("lift", lift)
+    view = gpu.matrix.get_model_view_matrix() @ moved
+    lifted = Matrix.Translation((0.0, 0.0, lift)) @ view
+    shader.uniform_float("to_screen", gpu.matrix.get_projection_matrix() @ lifted)
+    shader.uniform_float("towards_viewer", view.row[2].xyz.normalized())
     shader.uniform_float("lines", LINE_STRENGTH if with_lines else 0.0)
     shader.uniform_float("stale", 1.0 if field.stale else 0.0)
     batch.draw(shader)

@@ -12,8 +12,8 @@ _VERTEX = """
 void main() {
   shown_time = time;
   shown_row = row;
-  view_place = (view * vec4(pos, 1.0)).xyz;
-  gl_Position = projection * vec4(view_place + vec3(0.0, 0.0, lift), 1.0);
+  place = pos;
+  gl_Position = to_screen * vec4(pos, 1.0);
 }
 """
 
@@ -37,8 +37,8 @@ void main() {
   float strength = 1.0 - smoothstep(0.5 * %(width)f, 0.5 * %(width)f + 1.0, from_line);
   strength *= 1.0 - smoothstep(0.2, 0.45, rows_a_pixel);
   color = mix(color, vec3(%(line)s), lines * strength);
-  vec3 across = cross(dFdx(view_place), dFdy(view_place));
-  float facing = abs(across.z) / max(length(across), 1e-20);
+  vec3 normal = cross(dFdx(place), dFdy(place));
+  float facing = abs(dot(normal, towards_viewer)) / max(length(normal), 1e-20);
   color *= 0.72 + 0.28 * facing;
   float grey = dot(color, vec3(1.0 / 3.0));
   color = mix(color, vec3(grey), 0.75 * stale);
@@ -82,9 +82,9 @@ def _compile():
     import gpu
 
     info = gpu.types.GPUShaderCreateInfo()
-    info.push_constant("MAT4", "view")
-    info.push_constant("MAT4", "projection")
-    info.push_constant("FLOAT", "lift")
+    # Together no more than 128 bytes, which every GPU has room for.
+    info.push_constant("MAT4", "to_screen")
+    info.push_constant("VEC3", "towards_viewer")
     info.push_constant("FLOAT", "lines")
     info.push_constant("FLOAT", "stale")
     info.vertex_in(0, "VEC3", "pos")
@@ -93,7 +93,7 @@ def _compile():
     between = gpu.types.GPUStageInterfaceInfo("meshknit_field")
     between.smooth("FLOAT", "shown_time")
     between.smooth("FLOAT", "shown_row")
-    between.smooth("VEC3", "view_place")
+    between.smooth("VEC3", "place")
     info.vertex_out(between)
     info.fragment_out(0, "VEC4", "fragment")
     info.vertex_source(_VERTEX)

@@ -5,7 +5,7 @@ where surface or chains have changed, one back-solve where times have; after a m
 and the knit graph. Nothing of Blender's is kept from one tick to the next but names and numbers."""
 
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import bpy
 from bpy.app.handlers import persistent
@@ -16,6 +16,7 @@ from ..core.errors import UsageError
 from ..core.guidance import assess
 from ..core.job import Job
 from ..core.live_field import make_live_field
+from ..core.model import Constraint
 from ..core.report import build_report
 from ..core.workflow import run_stages
 from . import sessions, shown_field
@@ -49,6 +50,7 @@ class _State:
     last_change: float = 0.0
     inputs: tuple = None  # (model, settings, matrix) as last read, while nothing has changed since
     due: set = field(default_factory=set)  # of FIELD, JUDGE, GRAPH
+    drawn: tuple = None  # (vertices, time) of a chain that is being drawn
 
 
 _state = _State()
@@ -67,6 +69,25 @@ def is_wanted(ob):
     return bool(marked) or sessions.known_session(ob) is not None
 
 
+def draw_chain(ob, vertices, time_of_chain):
+    """Shows the field as it would be with one more chain of the active object's vertices, while it is
+    drawn. The chain is in no list."""
+    _set_drawn(ob, (tuple(vertices), time_of_chain) if len(vertices) > 1 else None)
+
+
+def end_chain():
+    """No chain is being drawn any more."""
+    _set_drawn(None, None)
+
+
+def _set_drawn(ob, drawn):
+    if drawn != _state.drawn and (drawn is None or is_wanted(ob)):
+        _state.drawn = drawn
+        _state.due.update((FIELD, JUDGE, GRAPH))
+        _state.last_change = time.monotonic()
+        _wake()
+
+
 def stop():
     """Ends the work in the background; what it was for is due again. For steps that a person starts,
     and before Blender's data go."""
@@ -83,7 +104,7 @@ def tick():
     context = bpy.context
     ob = active_mesh(context)
     if _work is not None:
-        if _state.changed and _work.kind != FIELD:
+        if (_state.changed or _state.drawn is not None) and _work.kind != FIELD:
             _work.job.cancel()
         if _work.job.running:
             _while_working(context, ob)
@@ -111,10 +132,10 @@ def _next_step(context, ob):
         _state.due.add(FIELD)
     _state.changed.clear()
     if FIELD in _state.due:
-        return POLL if _start(context, ob, FIELD, _find_field) else None
+        return POLL if _start(context, ob, FIELD, make_live_field) else None
     if not _state.due:
         return None
-    if time.monotonic() - _state.last_change < REST:
+    if _state.drawn is not None or time.monotonic() - _state.last_change < REST:
         return WAIT
     if JUDGE in _state.due:
         return POLL if _start(context, ob, JUDGE, _judge) else None
@@ -131,13 +152,14 @@ def _begin_with(ob):
     if shown(ob) is None:
         shown_field.forget()
     key = compat.object_key(ob)
-    _state.key, _state.inputs, _state.last_change = key, None, time.monotonic()
+    _state.key, _state.inputs, _state.drawn = key, None, None
+    _state.last_change = time.monotonic()
     _state.changed, _state.due = {sessions.ALL}, {FIELD, JUDGE, GRAPH}
 
 
 def _forget():
     shown_field.forget()
-    _state.key, _state.inputs = None, None
+    _state.key, _state.inputs, _state.drawn = None, None, None
     _state.changed.clear()
     _state.due.clear()
 
@@ -155,16 +177,15 @@ def _start(context, ob, kind, work):
         _state.due.clear()
         return False
     model, settings, matrix = _state.inputs
+    if _state.drawn is not None and len(model.vertices) == len(ob.data.vertices):
+        chain = Constraint("Chain", *_state.drawn)
+        model = replace(model, constraints=(*model.constraints, chain))
     known = dict(sessions.session_of(ob).results)
     before = shown(ob).live if shown(ob) is not None else None
     _state.due.discard(kind)
     job = Job(lambda run: work(library, model, settings, run, known, before), library.RunContext())
     _work = _Work(kind, compat.object_key(ob), job, model, settings, matrix, time.monotonic())
     return True
-
-
-def _find_field(library, model, settings, run, known, before):
-    return make_live_field(library, model, settings, run, known, before)
 
 
 def _judge(library, model, settings, run, known, before):
@@ -196,7 +217,7 @@ def _end_work(context, ob):
     if work.job.error:
         raise RuntimeError(work.job.error)
     gone = ob is None or compat.object_key(ob) != work.key or work.job.value is None
-    if gone or (work.kind != FIELD and _state.changed):
+    if gone or (work.kind != FIELD and (_state.changed or FIELD in _state.due)):
         _state.due.add(work.kind)
         return
     _PUBLISH[work.kind](context, ob, work)

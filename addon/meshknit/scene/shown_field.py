@@ -80,6 +80,9 @@ def _times_of(ob, sources):
     """-> the times that an object's lists say, or None if the sources are not there."""
     settings, values = getattr(ob.data, names.PROPERTIES), []
     for name, index in sources:
+        if name == "drawn":
+            values.append(index)
+            continue
         entries = getattr(settings, name)
         if index >= len(entries) or (name == "openings" and not entries[index].has_time):
             return None
