@@ -50,6 +50,7 @@ class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
         column.operator(names.OP_BUILD_GRAPH, icon="MESH_GRID")
         column.operator(names.OP_SCHEDULE, icon="MOD_ARRAY")
         column.operator(names.OP_WRITE, icon="EXPORT")
+        layout.label(text="Machine file:")
         layout.prop(getattr(context.scene, names.PROPERTIES), "output", text="")
 
 
@@ -94,6 +95,7 @@ class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
         column.prop(scene, "stitch_height", text="Height")
         layout.prop(scene, "relax")
         layout.prop(scene, "machine", text="")
+        layout.label(text="Profile of your own:")
         layout.prop(scene, "machine_file", text="")
 
 
