@@ -34,7 +34,7 @@ gui: build
 pictures: build
 	@.ci/install_packages test
 	@$(VIRTUAL_DISPLAY) $(BLENDER) --factory-startup --enable-event-simulate -p 0 0 1024 700 \
-	  --python blender_tests/run_gui.py -- -q --pictures=addon/docs --basetemp=$(BUILD)/pictures \
+	  --python blender_tests/run_gui.py -- -q --pictures=addon/docs --basetemp=/tmp/meshknit-pictures \
 	  blender_tests/gui/test_marking.py blender_tests/gui/test_whole_path.py
 
 test:
