@@ -32,13 +32,6 @@ class MESHKNIT_OT_suggest(StageOperator, bpy.types.Operator):
     def poll(cls, context):
         return poll_marks(cls, context)
 
-    def invoke(self, context, event):
-        session = sessions.known_session(active_mesh(context))
-        if session is not None and session.suggestions is not None:
-            # Nothing to wait for, most likely.
-            return self.execute(context)
-        return super().invoke(context, event)
-
     def _work(self, library, model, settings, session):
         key, known = suggestions_key(model, settings), session.suggestions
         if known is not None and known.key == key:
