@@ -13,10 +13,11 @@ struct HangingOrder {
 };
 
 /// Any order of events in which no tubes cross: an upward planar drawing of the Reeb graph (paper,
-/// section 2.2). Whatever sets places free or keeps all orders open is done at once: tubes that can
-/// end do, those that hang side by side and meet do, and tubes part. What is left to choose is which
-/// way round tubes part, and where and when one starts. `unknown` if there are too many ways to try;
-/// never for a dozen tubes.
+/// section 2.2). Pieces that are not joined to each other follow one after another. Whatever sets
+/// places free or keeps all orders open is done at once: tubes that can end do, those that hang side
+/// by side and meet do, also with tubes that have yet to start, and tubes part. What is left to choose
+/// is which way round tubes part, and where and when others start. `unknown` if there are too many
+/// ways to try; never for a dozen tubes.
 HangingOrder find_hanging_order(const std::vector<TubeLinks>& tubes);
 
 /// True if the tubes can hang side by side without crossing in some order of events, or if there are
