@@ -77,20 +77,14 @@ class HangingSearch {
       }
       if (missing.empty() || missing.size() + hanging.size() != tubes_[whole].below.size())
         continue;
-      for (const bool turned : {false, true}) {
-        TubesOnBed parts = tubes_[whole].below;
-        if (turned) {
-          std::reverse(parts.begin(), parts.end());
-          std::reverse(hanging.begin(), hanging.end());
-        }
-        const auto at =
-            std::search(state.row.begin(), state.row.end(), hanging.begin(), hanging.end());
-        if (at == state.row.end()) continue;
-        const auto place = state.row.erase(at, at + static_cast<long>(hanging.size()));
-        state.row.insert(place, parts.begin(), parts.end());
-        for (const int part : missing) state.started[part] = true;
-        return missing;
-      }
+      const auto at =
+          std::search(state.row.begin(), state.row.end(), hanging.begin(), hanging.end());
+      if (at == state.row.end()) continue;
+      const std::vector<int>& parts = tubes_[whole].below;
+      const auto place = state.row.erase(at, at + static_cast<long>(hanging.size()));
+      state.row.insert(place, parts.begin(), parts.end());
+      for (const int part : missing) state.started[part] = true;
+      return missing;
     }
     return {};
   }
