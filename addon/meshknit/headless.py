@@ -104,7 +104,7 @@ def _add_advice(outcome):
     if not outcome.ok:
         for problem in outcome.problems:
             if problem["code"] == "seam-needed":
-                outcome.message += f" {problem['message']} Allow that with --allow-seams."
+                outcome.message += f" {problem['message']} Allow it with --allow-seams."
 
 
 def _settings(options, scene):

@@ -31,19 +31,16 @@ Problem propose_seams(const KnitGraph& graph, const std::vector<Seam>& seams) {
   Problem problem;
   problem.code = "seam-needed";
   problem.severity = Severity::warning;
-  problem.message =
-      "On the machine, tubes of this object would have to cross each other. " +
-      (seams.size() == 1 ? "One seam" : std::to_string(seams.size()) + " seams, each") +
-      " round a tube, to be sewn afterwards, would make it knittable: ";
+  problem.message = "On the machine, tubes of this object would have to cross. " +
+                    (seams.size() == 1 ? std::string("One seam helps: ")
+                                       : std::to_string(seams.size()) + " seams help: ");
   for (std::size_t i = 0; i < seams.size(); ++i) {
     problem.message +=
         (i == 0 ? "" : "; ") + stitches_of(graph, seams[i]) + " round " + place_of(seams[i]);
     name_nodes(graph, seams[i], problem);
   }
   problem.message += ".";
-  problem.remedy =
-      "Allow seams (without a window: --allow-seams), or change the knitting times so that one "
-      "of the tubes in the way ends before the others meet.";
+  problem.remedy = "Allow seams and sew them after knitting, or change the knitting times.";
   return problem;
 }
 

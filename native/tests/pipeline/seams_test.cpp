@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <set>
 #include <string>
+#include <utility>
 
 #include "branching_graphs.h"
 #include "lantern.h"
@@ -104,8 +103,7 @@ TEST(SewnObjects, ALanternIsKnitWithOneSeamRoundALimb) {
   const Problem* const proposal = find_problem(whole.check.problems, "seam-needed");
   ASSERT_NE(proposal, nullptr);
   EXPECT_EQ(proposal->severity, Severity::warning);
-  EXPECT_EQ(proposal->message.find("One seam"), proposal->message.find("seam") - 4)
-      << proposal->message;
+  EXPECT_NE(proposal->message.find("One seam"), std::string::npos) << proposal->message;
   expect_crossing(whole);
 
   const CheckedGraph graph = cut_seams(whole);
