@@ -69,7 +69,12 @@ def run(options):
         if marks is not None:
             openings = resolve_openings(marks, model.scale)
             model = replace(
-                model, constraints=(), own_time=None, openings=openings, face_marks=None
+                model,
+                constraints=(),
+                own_time=None,
+                source=None,
+                openings=openings,
+                face_marks=None,
             )
             first = run_stages(library, model, settings, "check", run_context)
             if first.ok:

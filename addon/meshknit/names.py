@@ -29,6 +29,44 @@ SIZE_MODES = (
 TIME_SOURCES = (
     ("CONSTRAINTS", "Constraints", "Interpolate between the constraints below", 0),
     ("ATTRIBUTE", "Attribute knit_time", "Use the point attribute knit_time as it is", 1),
+    (
+        "DISTANCE",
+        "Distance",
+        "The distance along the surface from the boundaries with the earliest time: next to no "
+        "short rows",
+        2,
+    ),
+    ("HEIGHT", "Height", "The height along an axis", 3),
+    (
+        "VALUES",
+        "Attribute or group",
+        "A point attribute of numbers, also from Geometry Nodes, or a vertex group",
+        4,
+    ),
+)
+
+# The way the rows go, for times by height (numbers are stored in files).
+TIME_AXES = tuple(
+    (axis, axis, f"Rows go along {axis}", index)
+    for index, axis in enumerate(("X", "Y", "Z", "-X", "-Y", "-Z"))
+)
+
+# The lists of marks on a mesh; which of them keys act on is stored in files.
+MARK_KINDS = (
+    ("CONSTRAINT", "Constraint", "The active time constraint", 0),
+    ("OPENING", "Opening", "The active opening", 1),
+)
+
+# What time a new mark of the tool gets (numbers are stored in files).
+NEW_TIMES = (
+    (
+        "AUTOMATIC",
+        "Automatic",
+        "A chain gets the time that its place has now; the first boundary or opening is the start, "
+        "the second the end",
+        0,
+    ),
+    ("VALUE", "Value", "The time beside this", 1),
 )
 
 OP_CHECK = "meshknit.check_mesh"
@@ -36,6 +74,15 @@ OP_ADD_CONSTRAINT = "meshknit.add_time_constraint"
 OP_ADD_BOUNDARY = "meshknit.add_boundary_constraint"
 OP_REMOVE_CONSTRAINT = "meshknit.remove_constraint"
 OP_SELECT_CONSTRAINT = "meshknit.select_constraint"
+OP_DRAW_CONSTRAINT = "meshknit.draw_constraint"
+OP_TAKE_BOUNDARY = "meshknit.take_boundary"
+OP_FROM_SEAMS = "meshknit.add_from_seams"
+OP_ASSIGN_TIME = "meshknit.assign_time"
+OP_DRAG_OPENING = "meshknit.drag_opening"
+OP_PICK_MARK = "meshknit.pick_mark"
+OP_CHANGE_TIME = "meshknit.change_time"
+OP_SET_TIME = "meshknit.set_time"
+OP_REMOVE_MARK = "meshknit.remove_mark"
 OP_ADD_OPENING = "meshknit.add_opening"
 OP_REMOVE_OPENING = "meshknit.remove_opening"
 OP_SELECT_OPENING = "meshknit.select_opening"
@@ -58,6 +105,13 @@ OP_ADD_TROUSERS = "meshknit.add_trousers"
 OP_ADD_MITTEN = "meshknit.add_mitten"
 OP_ADD_RING_TORUS = "meshknit.add_ring_torus"
 OP_ADD_TEDDY = "meshknit.add_teddy"
+
+# Keys of the main block, from 0 to 9.
+DIGITS = ("ZERO", "ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX", "SEVEN", "EIGHT", "NINE")
+
+MADE_BY_MODIFIER = "A modifier made this part: mark the mesh's own surface, or apply the modifier"
+
+TOOL = "meshknit.knit_time"  # the workspace tool
 
 LIST_CONSTRAINTS = "MESHKNIT_UL_constraints"
 LIST_OPENINGS = "MESHKNIT_UL_openings"

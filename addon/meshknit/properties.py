@@ -14,13 +14,16 @@ from bpy.props import (
 
 from . import names
 from .core.settings import Settings
-from .scene import sessions
+from .scene import sessions, undo
+from .scene.edit_mode import active_mesh
 
 DEFAULTS = Settings()
 
 
 def _touched(self, context):
     sessions.touch_users(self.id_data, context)
+    if isinstance(self.id_data, bpy.types.Mesh):
+        undo.keep_lists(active_mesh(context))
 
 
 def _shown(_, context):
@@ -82,13 +85,52 @@ class MESHKNIT_PG_opening(bpy.types.PropertyGroup):
 
 class MESHKNIT_PG_mesh(bpy.types.PropertyGroup):
     constraints: CollectionProperty(type=MESHKNIT_PG_constraint)
-    active: IntProperty(name="Active constraint", options={"HIDDEN"})
+    active: IntProperty(
+        name="Active constraint",
+        options={"HIDDEN"},
+        update=lambda self, _: setattr(self, "selected_kind", "CONSTRAINT"),
+    )
     openings: CollectionProperty(type=MESHKNIT_PG_opening)
-    active_opening: IntProperty(name="Active opening", options={"HIDDEN"})
+    active_opening: IntProperty(
+        name="Active opening",
+        options={"HIDDEN"},
+        update=lambda self, _: setattr(self, "selected_kind", "OPENING"),
+    )
+    selected_kind: EnumProperty(
+        name="Keys act on", items=names.MARK_KINDS, options={"HIDDEN"}, update=_shown
+    )
     time_source: EnumProperty(
         name="Time from",
         description="Where the knitting time of each vertex comes from",
         items=names.TIME_SOURCES,
+        update=_touched,
+    )
+    time_axis: EnumProperty(
+        name="Axis",
+        description="The way the rows go",
+        items=names.TIME_AXES,
+        default="Z",
+        update=_touched,
+    )
+    time_values: StringProperty(
+        name="Values",
+        description="A point attribute of numbers, or a vertex group: low is knit first",
+        update=_touched,
+    )
+    time_share: FloatProperty(
+        name="Share",
+        description="How much of this source; the rest is interpolated between the constraints",
+        subtype="FACTOR",
+        default=1.0,
+        min=0.0,
+        max=1.0,
+        update=_touched,
+    )
+    time_mend: BoolProperty(
+        name="Mend",
+        description="Remove places away from the openings where knitting would begin or end, with "
+        "the smallest change",
+        default=True,
         update=_touched,
     )
     size_mode: EnumProperty(
@@ -167,6 +209,19 @@ class MESHKNIT_PG_scene(bpy.types.PropertyGroup):
         "object, beside the .blend file or in your documents",
         default="",
         subtype="FILE_PATH",
+    )
+    new_time_from: EnumProperty(
+        name="New marks",
+        description="Which time a mark gets that is made with the Knit Time tool",
+        items=names.NEW_TIMES,
+    )
+    new_time: FloatProperty(
+        name="Time",
+        description="The time of new marks: -1 is first, 1 is last",
+        min=-1.0,
+        max=1.0,
+        step=10,
+        precision=3,
     )
     show_time: BoolProperty(
         name="Time colours",

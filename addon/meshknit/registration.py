@@ -1,10 +1,10 @@
 """The add-on's modules in the order in which they register."""
 
-from . import operators, properties, ui
-from .overlay import draw
+from . import operators, properties, tool, ui
+from .overlay import draw, draw_marks
 from .scene import sessions
 
-MODULES = (properties, sessions, operators, draw, ui)
+MODULES = (properties, sessions, operators, draw, draw_marks, tool, ui)
 
 
 def register():

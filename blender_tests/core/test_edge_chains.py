@@ -20,32 +20,18 @@ def test_a_tube_has_two_boundary_loops():
     edges, corners = edges_of(polygons)
     loops = edge_chains.connected_groups(edges, edge_chains.boundary_edges(edges, corners))
     assert [len(loop) for loop in loops] == [24, 24]
-    assert all(edge_chains.is_chain(edges, loop) for loop in loops)
+    for first, loop in zip((0, 144), loops):
+        assert edge_chains.ordered_chain(edges, loop) == (list(range(first, first + 24)), True)
 
 
-def test_a_branching_selection_is_no_chain():
-    edges = np.array([(0, 1), (1, 2), (1, 3)])
-    assert not edge_chains.is_chain(edges, [0, 1, 2])
-    assert edge_chains.is_chain(edges, [0, 1])
+def test_a_chain_is_ordered_from_its_lower_end():
+    edges = np.array([(3, 1), (0, 3), (1, 2), (7, 8)])
+    assert edge_chains.ordered_chain(edges, [0, 1, 2]) == ([0, 3, 1, 2], False)
 
 
-def test_shortest_path_runs_straight_up_the_tube():
-    vertices, polygons = meshes.tube(around=24, along=6)
-    edges, _ = edges_of(polygons)
-    path = edge_chains.shortest_path(vertices, edges, [0, 6 * 24], closed=False)
-    assert len(path) == 6  # one edge per ring
-    assert (np.abs(vertices[edges[path]][:, :, :2] - vertices[0, :2]) < 1e-9).all()
-
-
-def test_a_closed_path_comes_back_round_the_tube():
-    vertices, polygons = meshes.tube(around=24, along=6)
-    edges, _ = edges_of(polygons)
-    stops = [72, 72 + 8, 72 + 16]
-    path = edge_chains.shortest_path(vertices, edges, stops, closed=True)
-    assert len(path) == 24
-    assert len(edge_chains.shortest_path(vertices, edges, stops, closed=False)) == 16
-
-
-def test_no_path_between_separate_parts():
-    positions = np.array([(0, 0, 0), (1, 0, 0), (5, 0, 0), (6, 0, 0)], float)
-    assert edge_chains.shortest_path(positions, np.array([(0, 1), (2, 3)]), [0, 3], False) is None
+def test_edges_that_branch_or_fall_apart_are_no_chain():
+    edges = np.array([(0, 1), (1, 2), (1, 3), (4, 5), (5, 6), (6, 4)])
+    assert edge_chains.ordered_chain(edges, [0, 1, 2]) is None
+    assert edge_chains.ordered_chain(edges, [0, 3]) is None
+    assert edge_chains.ordered_chain(edges, [0, 3, 4, 5]) is None  # a chain beside a loop
+    assert edge_chains.ordered_chain(edges, []) is None

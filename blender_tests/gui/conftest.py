@@ -1,10 +1,14 @@
 """One Blender for all GUI tests; every test starts with an empty scene and the Knit tab open."""
 
+import subprocess
+
 import bpy
+import numpy as np
 import pytest
 
 import meshknit
 from meshknit.scene import sessions
+from meshknit.scene.shapes import add_object, make_mesh
 from meshknit.ui.panel import MESHKNIT_PT_knit
 from user import User, pump, pump_until
 
@@ -46,3 +50,44 @@ def tube(run):
     run(bpy.ops.view3d.view_selected)
     run(bpy.ops.ed.undo_push, message="tube")
     return bpy.context.object
+
+
+@pytest.fixture
+def picture(user):
+    """Takes a picture of the 3D view as it stands on the screen: (height, width, 3), 0 to 1, from
+    below. Off-screen drawing and screen.screenshot leave the overlay out in some Blenders."""
+
+    def take():
+        pump(2)
+        bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
+        view = user.view
+        top = user.window.height - view.y - view.height
+        crop = f"{view.width - user.sidebar.width}x{view.height}+{view.x}+{top}"
+        command = ["import", "-window", "root", "-crop", crop, "+repage", "-depth", "8", "ppm:-"]
+        data = subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout
+        _, width, height, _ = data.split(maxsplit=4)[:4]
+        width, height = int(width), int(height)
+        values = np.frombuffer(data[-width * height * 3 :], np.uint8)
+        return values.reshape(height, width, 3)[::-1] / 255.0
+
+    return take
+
+
+@pytest.fixture
+def work(user, run):
+    """Shows an object from the front with the tool on, and begins the history of undo."""
+
+    def work(vertices, polygons, mode="OBJECT", view="FRONT", prepare=lambda ob: None):
+        mesh = make_mesh("Work", np.asarray(vertices) * 0.001, polygons)
+        ob = add_object(bpy.context, mesh)
+        prepare(ob)
+        run(bpy.ops.view3d.view_axis, type=view)
+        run(bpy.ops.view3d.view_selected)
+        if mode == "EDIT":
+            run(bpy.ops.object.mode_set, mode="EDIT")
+        run(bpy.ops.wm.tool_set_by_id, name="meshknit.knit_time")
+        user.area.spaces.active.show_gizmo = False
+        run(bpy.ops.ed.undo_push, message="before")
+        return bpy.context.object
+
+    return work

@@ -1,33 +1,9 @@
 """What the overlay draws, as pixels of the screen."""
 
-import subprocess
-
 import bpy
 import numpy as np
-import pytest
 
 from user import pump
-
-
-@pytest.fixture
-def picture(user):
-    """Takes a picture of the 3D view as it stands on the screen: (height, width, 3), 0 to 1, from
-    below. Off-screen drawing and screen.screenshot leave the overlay out in some Blenders."""
-
-    def take():
-        pump(2)
-        bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
-        view = user.view
-        top = user.window.height - view.y - view.height
-        crop = f"{view.width - user.sidebar.width}x{view.height}+{view.x}+{top}"
-        command = ["import", "-window", "root", "-crop", crop, "+repage", "-depth", "8", "ppm:-"]
-        data = subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout
-        _, width, height, _ = data.split(maxsplit=4)[:4]
-        width, height = int(width), int(height)
-        values = np.frombuffer(data[-width * height * 3 :], np.uint8)
-        return values.reshape(height, width, 3)[::-1] / 255.0
-
-    return take
 
 
 def count(picture, kind):

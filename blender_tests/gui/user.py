@@ -3,6 +3,8 @@
 import time
 
 import bpy
+from bpy_extras.view3d_utils import location_3d_to_region_2d
+from mathutils import Vector
 
 blender = None  # the greenlet of Blender's event loop
 
@@ -49,6 +51,21 @@ class User:
         self.event(key, "PRESS", **keys)
         self.event(key, "RELEASE", **keys)
         pump(2)
+
+    def drag(self, places, release=True):
+        """Presses the left button in the 3D view, goes from place to place, and lets go."""
+        self.move(self.view, *places[0])
+        self.event("LEFTMOUSE", "PRESS")
+        for place in places[1:]:
+            self.move(self.view, *place)
+        if release:
+            self.event("LEFTMOUSE", "RELEASE")
+            pump(2)
+
+    def pixel(self, place):
+        """Where a place of the world is in the 3D view."""
+        shown = self.area.spaces.active.region_3d
+        return tuple(location_3d_to_region_2d(self.view, shown, Vector(place)))
 
     def over_view(self):
         self.move(self.view, self.view.width // 3, self.view.height // 2)

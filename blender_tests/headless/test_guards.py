@@ -19,7 +19,7 @@ SOURCES = sorted(p for p in PACKAGE.rglob("*.py"))
 # A module never imports one of a higher rank.
 RANKS = {
     "names": 0, "compat": 0, "native": 1, "core": 2, "scene": 3, "properties": 3, "overlay": 4,
-    "operators": 5, "ui": 6, "registration": 7, "headless": 8, "batch": 9, "demo": 9,
+    "operators": 5, "tool": 6, "ui": 6, "registration": 7, "headless": 8, "batch": 9, "demo": 9,
     "demo_picture": 9, "__init__": 9,
 }  # fmt: skip
 

@@ -4,6 +4,7 @@
 #include "convert.h"
 #include "meshknit/surface/edge_path.h"
 #include "meshknit/surface/example_shapes.h"
+#include "meshknit/time_field/field_from_values.h"
 #include "meshknit/time_field/time_field.h"
 
 namespace meshknit {
@@ -122,6 +123,46 @@ void bind_surface(py::module_& m) {
           py::arg("vertices"), py::arg("closed") = false,
           "Shortest way along mesh edges through these vertices.");
 
+  m.def(
+      "field_from_values",
+      [](const Surface& s, const Doubles& values) {
+        const std::vector<double> given = from_input_order(s, values);
+        std::vector<double> time;
+        {
+          py::gil_scoped_release release;
+          time = field_from_values(s, given);
+        }
+        return to_input_order(s, time);
+      },
+      py::arg("surface"), py::arg("values"),
+      "Any values, one a row of the surface -> times in [-1, 1] with one time on each "
+      "boundary.");
+  m.def(
+      "distance_field",
+      [](const Surface& s, const std::vector<int>& starts) {
+        std::vector<double> time;
+        {
+          py::gil_scoped_release release;
+          time = distance_field(s, starts);
+        }
+        return to_input_order(s, time);
+      },
+      py::arg("surface"), py::arg("starts"),
+      "The geodesic distance from these boundaries as times in [-1, 1].");
+  m.def(
+      "mend_field",
+      [](const Surface& s, const Doubles& time) {
+        const std::vector<double> given = from_input_order(s, time);
+        MendedField mended;
+        {
+          py::gil_scoped_release release;
+          mended = mend_field(s, given);
+        }
+        return py::make_tuple(to_input_order(s, mended.time), mended.changed, mended.most);
+      },
+      py::arg("surface"), py::arg("time"),
+      "-> (times without false extrema, vertices changed, largest change as a share of the "
+      "range).");
   m.def(
       "check_constraints",
       [](const Surface& s, const std::vector<Chain>& chains) {

@@ -49,6 +49,7 @@ std::vector<int> to_mesh_vertices(const Surface& surface, const std::vector<int>
 
 void bind_core(py::module_& m);
 void bind_surface(py::module_& m);
+void bind_edge_graph(py::module_& m);
 void bind_graph(py::module_& m);
 void bind_openings(py::module_& m);
 void bind_machine(py::module_& m);

@@ -64,6 +64,20 @@ KnitGraph three_legs(int a, int b, int c, int rows, int growth) {
   return drawing.graph();
 }
 
+KnitGraph three_way_split_beside(int large, int a, int b1, int c, int b2) {
+  GraphDrawing drawing;
+  const int small = a + b1 + c + b2;
+  const Front trunk = plain_row(drawing, drawing.cast_on(large + small));
+  Front beside = plain_row(drawing, part_of(trunk, 0, large));
+  const Front ring = plain_row(drawing, part_of(trunk, large, large + small));
+  const Front middle = joined(part_of(ring, a, a + b1), part_of(ring, a + b1 + c, small));
+  plain_row(drawing, middle);
+  plain_row(drawing, part_of(ring, 0, a));
+  plain_row(drawing, part_of(ring, a + b1, a + b1 + c));
+  for (int row = 0; row < 3; ++row) beside = plain_row(drawing, beside);
+  return drawing.graph();
+}
+
 KnitGraph three_legs_upside_down(int a, int b, int c, int rows) {
   GraphDrawing drawing;
   std::vector<Front> legs{drawing.cast_on(a), drawing.cast_on(b), drawing.cast_on(c)};

@@ -15,6 +15,10 @@ KnitGraph tube_with_hole(int a, int b, int rows);
 /// negative).
 KnitGraph three_legs(int a, int b, int c, int rows, int growth = 0);
 
+/// A trunk that parts into a tube of `large` nodes and one of a + b1 + c + b2, which parts into three
+/// like three_way_split, the middle one first.
+KnitGraph three_way_split_beside(int large, int a, int b1, int c, int b2);
+
 /// Three legs knit the other way round, from their hems to the trunk.
 KnitGraph three_legs_upside_down(int a, int b, int c, int rows);
 

@@ -25,6 +25,8 @@ SHORT_ROW = (0.05, 0.05, 0.05, 1.00)
 INCREASE = (0.00, 0.62, 0.20, 1.00)
 DECREASE = (0.93, 0.00, 0.73, 1.00)
 RIM = (1.00, 0.45, 0.00, 1.00)
+EDGE_OF_MARK = (0.08, 0.08, 0.10, 0.85)  # on both sides of a mark, so that pale ones stand out
+SELECTED = (1.00, 1.00, 1.00, 1.00)
 STALE = (0.50, 0.50, 0.50, 0.35)
 
 

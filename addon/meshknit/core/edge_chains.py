@@ -1,6 +1,5 @@
 """Chains of mesh edges, from edges as vertex pairs."""
 
-import heapq
 from collections import defaultdict
 
 import numpy as np
@@ -36,50 +35,31 @@ def connected_groups(edges, chosen):
     return groups
 
 
-def is_chain(edges, group):
-    """True if the group is one open chain or one loop: nowhere do three edges meet."""
-    _, degrees = np.unique(np.asarray(edges)[group], return_counts=True)
-    return bool(degrees.max() <= 2)
-
-
 def nearest_vertex(positions, point, among=None):
     """The vertex nearest to a point, of all or of some; the first of equals."""
     among = np.arange(len(positions)) if among is None else np.asarray(among)
     return int(among[np.argmin(((positions[among] - point) ** 2).sum(axis=1))])
 
 
-def shortest_path(positions, edges, stops, closed):
-    """Rows of `edges` that lead through the vertices `stops` in order; None if nothing does."""
+def ordered_chain(edges, group):
+    """-> (vertices in order, closed) of an open chain or a loop, from the end with the lower
+    vertex; None where the group branches or falls apart."""
     neighbours = defaultdict(list)
-    lengths = np.linalg.norm(positions[edges[:, 0]] - positions[edges[:, 1]], axis=1)
-    for row, (a, b) in enumerate(np.asarray(edges).tolist()):
-        neighbours[a].append((b, row))
-        neighbours[b].append((a, row))
-    path = []
-    legs = list(zip(stops, stops[1:])) + ([(stops[-1], stops[0])] if closed else [])
-    for start, goal in legs:
-        leg = _shortest_leg(neighbours, lengths, start, goal)
-        if leg is None:
-            return None
-        path += leg
-    return sorted(set(path))
-
-
-def _shortest_leg(neighbours, lengths, start, goal):
-    came, best, queue = {start: None}, {start: 0.0}, [(0.0, start)]
-    while queue:
-        distance, vertex = heapq.heappop(queue)
-        if vertex == goal:
-            rows = []
-            while came[vertex] is not None:
-                vertex, row = came[vertex]
-                rows.append(row)
-            return rows
-        if distance > best[vertex]:
-            continue
-        for other, row in neighbours[vertex]:
-            longer = distance + lengths[row]
-            if longer < best.get(other, np.inf):
-                best[other], came[other] = longer, (vertex, row)
-                heapq.heappush(queue, (longer, other))
-    return None
+    for row in group:
+        a, b = (int(v) for v in edges[row])
+        neighbours[a].append(b)
+        neighbours[b].append(a)
+    if not neighbours or max(map(len, neighbours.values())) > 2:
+        return None
+    ends = [v for v, others in neighbours.items() if len(others) == 1]
+    chain = [min(ends or neighbours)]
+    previous = None
+    while True:
+        onward = [v for v in sorted(neighbours[chain[-1]]) if v != previous]
+        if not onward or onward[0] == chain[0]:
+            break
+        previous = chain[-1]
+        chain.append(onward[0])
+    if len(chain) != len(neighbours):
+        return None
+    return chain, not ends

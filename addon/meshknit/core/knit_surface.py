@@ -105,21 +105,27 @@ class KnitSurface:
         return np.where(rows >= 0, np.asarray(times)[np.maximum(rows, 0)], np.nan)
 
     def times_of(self, model):
-        """The user's own time on the surface: on a cut between those of the face's corners, and
-        on a rim with a time that time."""
-        if self.cut is None:
-            return model.own_time
-        sources = self.cut.source_vertex
-        times = np.array(model.own_time, dtype=float)[np.maximum(sources, 0)]
-        new = np.flatnonzero(sources < 0)
-        if len(new):
-            corners = model.faces[_source_faces(self.cut)[new]]
-            weights = _weights(model.vertices[corners], self.cut.vertices[new])
-            times[new] = (weights * model.own_time[corners]).sum(axis=1)
+        """The user's own time on the surface, and on a rim with a time that time."""
+        times = self.values_of(model, model.own_time)
         for rim in self.rims:
             if rim.time(model) is not None:
                 times[list(rim.vertices)] = rim.time(model)
         return times
+
+    def values_of(self, model, values):
+        """Values of the model's rows -> of the surface's: on a cut between those of the face's
+        corners."""
+        values = np.array(values, dtype=float)
+        if self.cut is None:
+            return values
+        sources = self.cut.source_vertex
+        found = values[np.maximum(sources, 0)]
+        new = np.flatnonzero(sources < 0)
+        if len(new):
+            corners = model.faces[_source_faces(self.cut)[new]]
+            weights = _weights(model.vertices[corners], self.cut.vertices[new])
+            found[new] = (weights * values[corners]).sum(axis=1)
+        return found
 
 
 def check_surface(library, model, stitch_width):

@@ -110,6 +110,18 @@ def parse_points(text):
         raise UsageError(f"points are written [[x, y, z], ...]: {error}") from error
 
 
+def parse_vertices(text):
+    """A list of vertices as text, "[12, 40]". Throws UsageError."""
+    try:
+        rows = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise UsageError(f"vertices are written [12, 40, ...]: {error}") from error
+    whole = isinstance(rows, list) and all(type(row) is int for row in rows)
+    if not whole or len(rows) < 2 or min(rows) < 0:
+        raise UsageError("the vertices of a chain are at least two whole numbers from 0")
+    return rows
+
+
 def _points(where, points):
     if not isinstance(points, list) or not points:
         raise UsageError(f'{where}: "points" must list at least one point')

@@ -6,6 +6,8 @@ from typing import Optional
 
 import numpy as np
 
+from .time_sources import TimeSource
+
 
 @dataclass(frozen=True)
 class Constraint:
@@ -38,6 +40,7 @@ class Model:
     face_source: Optional[np.ndarray] = None  # triangle -> polygon of the user's mesh
     constraints: tuple = field(default_factory=tuple)
     own_time: Optional[np.ndarray] = None  # a field of the user's own, instead of constraints
+    source: Optional[TimeSource] = None  # of time, instead of or beside constraints
     openings: tuple = ()  # of Opening
     face_marks: Optional[np.ndarray] = None  # (m,) int32, not 0 = left out; None: nothing marked
 

@@ -28,7 +28,7 @@ def build_report(library, model, settings, outcome):
     if "time" in values:
         check = values["time"][1]
         report["time_field"] = {
-            "source": "constraints" if model.own_time is None else "attribute",
+            "source": _source_name(model),
             "extrema": check["extrema"],
             "saddles": check["saddles"],
             "expected_saddles": check["expected_saddles"],
@@ -47,6 +47,12 @@ def build_report(library, model, settings, outcome):
     if peak is not None:
         report["peak_mb"] = peak
     return report
+
+
+def _source_name(model):
+    if model.own_time is not None:
+        return "attribute"
+    return "constraints" if model.source is None else model.source.kind.lower()
 
 
 def _opening(model, settings, rim):

@@ -31,7 +31,9 @@ def with_suggestion(library, model, settings, suggestion):
         Opening(f"Opening {i + 1}", times.get(i), tuple(np.asarray(entry["at"])), entry["radius"])
         for i, entry in enumerate(suggestion["openings"])
     )
-    model = replace(model, constraints=(), own_time=None, openings=openings, face_marks=None)
+    model = replace(
+        model, constraints=(), own_time=None, source=None, openings=openings, face_marks=None
+    )
     surface = check_surface(library, model, settings.stitch_width).surface
     constraints = []
     for mark in suggestion["times"]:

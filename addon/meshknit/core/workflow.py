@@ -11,6 +11,7 @@ from .errors import UsageError
 from .machines import make_profile
 from .knit_surface import check_surface
 from .model import digest
+from .time_sources import sourced_times
 
 # Where each stage ends on the progress bar of a whole run.
 ENDS = {"check": 0.03, "time": 0.08, "graph": 0.5, "trace": 0.55, "schedule": 0.8, "emit": 1.0}
@@ -61,7 +62,8 @@ def stage_keys(model, settings):
     )
     marks = [(c.vertices, c.time, c.on_surface) for c in model.constraints]
     own = model.own_time if model.own_time is not None else marks
-    field_key = digest("time", check, own, [o.time for o in model.openings])
+    source = model.source.key() if model.source is not None else ()
+    field_key = digest("time", check, own, [o.time for o in model.openings], *source)
     gauge = (settings.stitch_width, settings.stitch_height, settings.relax)
     graph = digest("graph", field_key, *gauge, settings.allow_seams)
     trace = digest("trace", graph, settings.machine)  # whose carriers limit the yarns at a time
@@ -164,16 +166,22 @@ def _check(library, model, settings, before, context):
 def _time(library, model, settings, before, context):
     """-> (one time per row of the surface, the field's check)."""
     knit = before["check"]
+    chains = [(rows, time) for _, rows, time in _times(knit, model)]
     if model.own_time is not None:
-        times = knit.times_of(model)
-        check = library.check_time_field(knit.surface, times)
-        if any(p["severity"] == "error" for p in check["problems"]):
-            problems = [knit.with_rim_names(model, p) for p in check["problems"]]
-            raise _Failed([knit.for_user(model, p) for p in problems])
-    else:
-        chains = [(rows, time) for _, rows, time in _times(knit, model)]
-        times, check = library.solve_time_field(knit.surface, chains)
+        return _checked(library, knit, model, knit.times_of(model), [])
+    if model.source is not None:
+        return _checked(library, knit, model, *sourced_times(library, knit, model, chains))
+    times, check = library.solve_time_field(knit.surface, chains)
     return (times, check), check["problems"]
+
+
+def _checked(library, knit, model, times, problems):
+    check = library.check_time_field(knit.surface, times)
+    problems = problems + check["problems"]
+    if any(p["severity"] == "error" for p in problems):
+        problems = [knit.with_rim_names(model, p) for p in problems]
+        raise _Failed([knit.for_user(model, p) for p in problems])
+    return (times, check), problems
 
 
 def _graph(library, model, settings, before, context):

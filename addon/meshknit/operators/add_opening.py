@@ -1,33 +1,24 @@
 """Mark a part of the surface as an opening."""
 
 import bpy
-import numpy as np
 from bpy.props import FloatProperty, FloatVectorProperty
 from mathutils import Vector
 
 from .. import names
-from ..scene import constraints, openings, sessions
-from ..scene.attributes import positions
-from ..scene.edit_mode import active_mesh, object_mode
-from ..scene.read_model import mean_scale, millimetres_per_unit
-from .stage_base import poll_mesh
+from ..core.errors import UsageError
+from ..scene import mark_lists, openings
+from ..scene.read_model import millimetres_of_radius
+from .mark_base import MarkOperator, time_property
 
 
-class MESHKNIT_OT_add_opening(bpy.types.Operator):
+class MESHKNIT_OT_add_opening(MarkOperator, bpy.types.Operator):
     """Leave a part of the surface open: in Edit Mode the selected faces, else a round opening at the
     3D cursor. Its rim is where knitting can start or end; the mesh stays whole"""
 
     bl_idname = names.OP_ADD_OPENING
     bl_label = "Add Opening"
-    bl_options = {"REGISTER", "UNDO"}
 
-    time: FloatProperty(
-        name="Time",
-        description="When the rim is knit: -1 is first, 1 is last",
-        min=-1.0,
-        max=1.0,
-        options={"SKIP_SAVE"},
-    )
+    time: time_property("the rim is")
     radius: FloatProperty(
         name="Radius (mm)",
         description="How far a round opening reaches, measured along the surface",
@@ -44,36 +35,22 @@ class MESHKNIT_OT_add_opening(bpy.types.Operator):
         options={"HIDDEN", "SKIP_SAVE"},
     )
 
-    @classmethod
-    def poll(cls, context):
-        return poll_mesh(cls, context)
-
-    def execute(self, context):
-        ob = active_mesh(context)
+    def change(self, context, ob):
         placed = self.properties.is_property_set("location")
-        by_faces = ob.mode == "EDIT" and not placed
-        with object_mode(ob):
-            mesh = ob.data
-            faces = openings.selected_faces(mesh)
-            if by_faces and not len(faces):
-                self.report({"ERROR"}, "Select the faces that are to be left open")
-                return {"CANCELLED"}
-            if not self.properties.is_property_set("time"):
-                self.time = constraints.suggested_time(mesh)
-            if by_faces:
-                openings.add_face_opening(mesh, faces, self.time)
-            else:
-                place = self.location if placed else context.scene.cursor.location
-                local = ob.matrix_world.inverted_safe() @ Vector(place)
-                openings.add_opening(mesh, local, self._local_radius(context, ob), self.time)
-        sessions.touch(ob)
-        return {"FINISHED"}
-
-    def _local_radius(self, context, ob):
-        """In the object's own units, so that the opening grows with the object."""
-        scale = millimetres_per_unit(ob, positions(ob.data), context.scene)
-        longer = mean_scale(np.array(ob.matrix_world))
-        return self.radius / (scale * longer) if longer > 0.0 else self.radius / scale
+        by_faces = self.editing and not placed
+        mesh = ob.data
+        faces = openings.selected_faces(mesh)
+        if by_faces and not len(faces):
+            raise UsageError("Select the faces that are to be left open")
+        if not self.properties.is_property_set("time"):
+            self.time = mark_lists.suggested_time(mesh)
+        if by_faces:
+            openings.add_face_opening(mesh, faces, self.time)
+        else:
+            place = self.location if placed else context.scene.cursor.location
+            local = ob.matrix_world.inverted_safe() @ Vector(place)
+            radius = self.radius / millimetres_of_radius(context.scene, ob)
+            openings.add_opening(mesh, local, radius, self.time)
 
 
 CLASSES = (MESHKNIT_OT_add_opening,)

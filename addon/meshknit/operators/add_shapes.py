@@ -87,80 +87,48 @@ class ExampleOperator(ShapeOperator):
         return library.example_shape(self.bl_idname.rpartition("add_")[2])
 
 
-class MESHKNIT_OT_add_sock(ExampleOperator, bpy.types.Operator):
-    """Add a sock with a heel, open at cuff and toe"""
-
-    bl_idname = names.OP_ADD_SOCK
-    bl_label = "Sock"
-
-
-class MESHKNIT_OT_add_trousers(ExampleOperator, bpy.types.Operator):
-    """Add trousers, knit from the waist down: one tube that splits into two legs"""
-
-    bl_idname = names.OP_ADD_TROUSERS
-    bl_label = "Trousers"
-
-
-class MESHKNIT_OT_add_mitten(ExampleOperator, bpy.types.Operator):
-    """Add a mitten, open at cuff, fingertips and thumb"""
-
-    bl_idname = names.OP_ADD_MITTEN
-    bl_label = "Mitten"
-
-
-class MESHKNIT_OT_add_teddy(ExampleOperator, bpy.types.Operator):
-    """Add a closed teddy bear with openings marked on feet, hands and ears"""
-
-    bl_idname = names.OP_ADD_TEDDY
-    bl_label = "Teddy"
-
-
-class MESHKNIT_OT_add_ring_torus(ExampleOperator, bpy.types.Operator):
-    """Add an upright ring with a hole in its skin at the bottom and one at the top"""
-
-    bl_idname = names.OP_ADD_RING_TORUS
-    bl_label = "Ring Torus"
+EXAMPLES = (
+    (names.OP_ADD_SOCK, "Sock", "a sock with a heel, open at cuff and toe"),
+    (
+        names.OP_ADD_TROUSERS,
+        "Trousers",
+        "trousers, knit from the waist down: one tube that splits into two legs",
+    ),
+    (names.OP_ADD_MITTEN, "Mitten", "a mitten, open at cuff, fingertips and thumb"),
+    (
+        names.OP_ADD_TEDDY,
+        "Teddy",
+        "a closed teddy bear with openings marked on feet, hands and ears",
+    ),
+    (
+        names.OP_ADD_RING_TORUS,
+        "Ring Torus",
+        "an upright ring with a hole in its skin at the bottom and one at the top",
+    ),
+    (names.OP_ADD_TWO_WAY_SPLIT, "Two-Way Split", "a tube that splits into two"),
+    (
+        names.OP_ADD_THREE_WAY_SPLIT,
+        "Three-Way Split",
+        "a tube that splits into three side by side",
+    ),
+    (names.OP_ADD_TWO_WAY_MERGE, "Two-Way Merge", "two tubes that merge into one"),
+    (
+        names.OP_ADD_THREE_WAY_MERGE,
+        "Three-Way Merge",
+        "three tubes side by side that merge into one",
+    ),
+)
 
 
-class MESHKNIT_OT_add_two_way_split(ExampleOperator, bpy.types.Operator):
-    """Add a tube that splits into two"""
-
-    bl_idname = names.OP_ADD_TWO_WAY_SPLIT
-    bl_label = "Two-Way Split"
-
-
-class MESHKNIT_OT_add_three_way_split(ExampleOperator, bpy.types.Operator):
-    """Add a tube that splits into three side by side"""
-
-    bl_idname = names.OP_ADD_THREE_WAY_SPLIT
-    bl_label = "Three-Way Split"
-
-
-class MESHKNIT_OT_add_two_way_merge(ExampleOperator, bpy.types.Operator):
-    """Add two tubes that merge into one"""
-
-    bl_idname = names.OP_ADD_TWO_WAY_MERGE
-    bl_label = "Two-Way Merge"
-
-
-class MESHKNIT_OT_add_three_way_merge(ExampleOperator, bpy.types.Operator):
-    """Add three tubes side by side that merge into one"""
-
-    bl_idname = names.OP_ADD_THREE_WAY_MERGE
-    bl_label = "Three-Way Merge"
+def _example(idname, label, what):
+    content = {"__doc__": f"Add {what}", "bl_idname": idname, "bl_label": label}
+    name = f"MESHKNIT_OT_{idname.partition('.')[2]}"
+    return type(name, (ExampleOperator, bpy.types.Operator), content)
 
 
 CLASSES = (
     MESHKNIT_OT_add_straight_tube,
     MESHKNIT_OT_add_cone,
     MESHKNIT_OT_add_bent_tube,
-    MESHKNIT_OT_add_sock,
-    MESHKNIT_OT_add_trousers,
-    MESHKNIT_OT_add_mitten,
-    MESHKNIT_OT_add_teddy,
-    MESHKNIT_OT_add_ring_torus,
-    MESHKNIT_OT_add_two_way_split,
-    MESHKNIT_OT_add_three_way_split,
-    MESHKNIT_OT_add_two_way_merge,
-    MESHKNIT_OT_add_three_way_merge,
+    *(_example(*example) for example in EXAMPLES),
 )

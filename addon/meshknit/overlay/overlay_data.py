@@ -84,21 +84,30 @@ def _stars(places, arm):
     return (places[:, None, :] + arms[None]).reshape(-1, 3)
 
 
+def marked_lines(segments, marks, times):
+    """Segments (n, 2, 3) of constraints, each in the colour of its time. `marks` names the
+    constraint of each, from 1."""
+    shades = colors.time_colors(np.asarray(times, float))[np.asarray(marks, int) - 1]
+    points = np.asarray(segments, np.float32).reshape(-1, 3)
+    return Lines(points, np.repeat(shades, 2, axis=0))
+
+
+def chain_lines(points, shade):
+    """A chain of points in one colour."""
+    pairs = np.stack([points[:-1], points[1:]], axis=1).reshape(-1, 3)
+    return Lines(pairs.astype(np.float32), np.tile(np.float32(shade), (len(pairs), 1)))
+
+
+def in_color(lines, shade):
+    return Lines(lines.points, np.tile(np.float32(shade), (len(lines.points), 1)))
+
+
 def ring_lines(rings, stale=False):
     """Closed polygons, each (n, 3), as lines in the colour of rims."""
     pairs = [np.stack([ring, np.roll(ring, -1, axis=0)], axis=1).reshape(-1, 3) for ring in rings]
     points = np.concatenate(pairs) if pairs else np.empty((0, 3))
     shade = np.float32(colors.STALE if stale else colors.RIM)
     return Lines(points.astype(np.float32), np.tile(shade, (len(points), 1)))
-
-
-def circle(centre, normal, radius, sides=48):
-    """A circle in space as a polygon."""
-    normal = np.asarray(normal, float) / np.linalg.norm(normal)
-    aside = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
-    aside /= np.linalg.norm(aside)
-    turns = 2.0 * np.pi * np.arange(sides)[:, None] / sides
-    return centre + radius * (np.cos(turns) * aside + np.sin(turns) * np.cross(normal, aside))
 
 
 @dataclass(frozen=True)

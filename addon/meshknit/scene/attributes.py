@@ -54,3 +54,9 @@ def positions(mesh):
     values = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", values)
     return values.reshape(-1, 3).astype(np.float64)
+
+
+def to_world(points, matrix):
+    """(n, 3) points of an object's own space -> world space."""
+    matrix = np.array(matrix, dtype=np.float64)
+    return points @ matrix[:3, :3].T + matrix[:3, 3]

@@ -5,7 +5,15 @@ import numpy as np
 
 from .. import names
 from ..core import edge_chains
-from .attributes import edge_vertices, polygon_edges, positions, read_attribute, write_attribute
+from ..core.errors import UsageError
+from .attributes import (
+    edge_vertices,
+    polygon_edges,
+    positions,
+    read_attribute,
+    to_world,
+    write_attribute,
+)
 
 
 def constraint_marks(mesh):
@@ -14,15 +22,29 @@ def constraint_marks(mesh):
     return np.zeros(len(mesh.edges), np.int32) if marks is None else marks
 
 
-def add_constraint(mesh, edges, time, name):
-    """Edges that another constraint had go over to this one. -> the new constraint's index"""
+def add_constraint(mesh, edges, time, name=None):
+    """Edges that another constraint had go over to this one; one that loses its last edge so is
+    removed. -> the new constraint's index"""
     settings = getattr(mesh, names.PROPERTIES)
     index = len(settings.constraints)
     entry = settings.constraints.add()
+    entry.name, entry.time = name or f"Constraint {index + 1}", time
+    return redraw_constraint(mesh, index, edges)
+
+
+def redraw_constraint(mesh, index, edges):
+    """The constraint is on these edges from now on. -> its index, which is a new one where others
+    have lost their last edge"""
+    settings = getattr(mesh, names.PROPERTIES)
     marks = constraint_marks(mesh)
+    before = set(np.unique(marks).tolist())
+    marks[marks == index + 1] = 0
     marks[np.asarray(edges, dtype=int)] = index + 1
     write_attribute(mesh, names.CONSTRAINT, "INT", "EDGE", marks)
-    entry.name, entry.time = name, time
+    lost = before - set(np.unique(marks).tolist()) - {0, index + 1}
+    for mark in sorted(lost, reverse=True):
+        remove_constraint(mesh, mark - 1)
+    index -= sum(mark - 1 < index for mark in lost)
     settings.active = index
     return index
 
@@ -66,11 +88,29 @@ def boundary_near(mesh, point):
     return next(loop for loop in loops if (edges[loop] == vertex).any())
 
 
-def path_through(mesh, points, closed):
-    """Edges of the shortest way through the vertices nearest to points; None if there is none."""
-    at = positions(mesh)
-    stops = [edge_chains.nearest_vertex(at, np.asarray(point)) for point in points]
-    return edge_chains.shortest_path(at, edge_vertices(mesh), stops, closed)
+def path_through(library, mesh, stops, closed, matrix):
+    """Edges of the shortest way through vertices in order. `matrix` is the object's: the way is
+    the shortest as it stands in the world. Throws UsageError if there is none."""
+    at = to_world(positions(mesh), matrix)
+    if not all(0 <= stop < len(at) for stop in stops):
+        raise UsageError(f"The mesh has no vertex {max(stops)}: it has {len(at)}")
+    graph = library.EdgeGraph(at, edge_vertices(mesh))
+    chain = list(stops[:1])
+    for stop in (*stops[1:], *stops[: 1 if closed else 0]):
+        leg = graph.path(chain[-1], stop)
+        if not leg:
+            raise UsageError(f"No edges lead from vertex {chain[-1]} to vertex {stop}")
+        chain += leg[1:]
+    if len(chain) < 2:
+        raise UsageError("The places lie at one vertex: a chain needs an edge")
+    return sorted(set(graph.edges_along(chain)))
+
+
+def seam_chains(mesh):
+    """The edges that are marked as seams, by what hangs together."""
+    seams = np.empty(len(mesh.edges), bool)
+    mesh.edges.foreach_get("use_seam", seams)
+    return edge_chains.connected_groups(edge_vertices(mesh), np.flatnonzero(seams))
 
 
 def selected_edges(mesh):
@@ -79,18 +119,18 @@ def selected_edges(mesh):
     return np.flatnonzero(chosen)
 
 
+def selected_chain(mesh):
+    """The selected edges. Throws UsageError if they are not one chain or loop."""
+    chosen, edges = selected_edges(mesh), edge_vertices(mesh)
+    if not len(chosen):
+        raise UsageError("Select the edges that are knit at one time, in Edit Mode")
+    if edge_chains.ordered_chain(edges, chosen) is None:
+        raise UsageError("Select one chain or loop of edges; these branch or fall apart")
+    return chosen
+
+
 def selected_vertices(mesh):
     """-> one bool per vertex"""
     chosen = np.empty(len(mesh.vertices), bool)
     mesh.vertices.foreach_get("select", chosen)
     return chosen
-
-
-def suggested_time(mesh):
-    """For a new boundary or opening: the first is the start, the second the end, more lie between."""
-    settings = getattr(mesh, names.PROPERTIES)
-    times = [entry.time for entry in settings.constraints]
-    times += [entry.time for entry in settings.openings if entry.has_time]
-    if -1.0 not in times:
-        return -1.0
-    return 1.0 if 1.0 not in times else 0.0

@@ -3,7 +3,9 @@
 import numpy as np
 
 from .. import names
+from ..core.errors import UsageError
 from ..core.model import Constraint, Model, Opening
+from ..core.time_sources import TimeSource
 from .attributes import edge_vertices, positions, read_attribute
 
 
@@ -41,6 +43,7 @@ def _read(ob, mesh, local, scale):
         face_source=polygon,
         constraints=_read_constraints(mesh, settings),
         own_time=_read_own_time(mesh, settings),
+        source=_read_source(ob, mesh, settings),
         openings=_read_openings(settings, matrix, scale),
         face_marks=numbers[polygon] if numbers is not None and numbers.any() else None,
     )
@@ -87,6 +90,38 @@ def _read_own_time(mesh, settings):
     return np.zeros(len(mesh.vertices)) if times is None else times.astype(np.float64)
 
 
+def _read_source(ob, mesh, settings):
+    """Throws UsageError if the values are not there."""
+    if settings.time_source in ("CONSTRAINTS", "ATTRIBUTE"):
+        return None
+    share = round(settings.time_share, 6)
+    if settings.time_source != "VALUES":
+        kind, axis = settings.time_source, settings.time_axis
+        return TimeSource(kind, axis, share=share, mend=settings.time_mend)
+    values = _named_values(ob, mesh, settings.time_values)
+    return TimeSource("VALUES", values=values, share=share, mend=settings.time_mend)
+
+
+def _named_values(ob, mesh, name):
+    """Of a point attribute, or the weights of a vertex group: one a vertex."""
+    if name == names.TIME:
+        raise UsageError(f"for the attribute {names.TIME} choose it as the source of time")
+    for kind in ("FLOAT", "INT"):
+        values = read_attribute(mesh, name, kind, "POINT")
+        if values is not None:
+            return values.astype(np.float64)
+    group = ob.vertex_groups.get(name)
+    if group is None:
+        wanted = f"no point attribute and no vertex group {name}" if name else "no name for it"
+        raise UsageError(f"time comes from an attribute or a vertex group, but there is {wanted}")
+    values = np.zeros(len(mesh.vertices))
+    for vertex in mesh.vertices:
+        for entry in vertex.groups:
+            if entry.group == group.index:
+                values[vertex.index] = entry.weight
+    return values
+
+
 def millimetres_per_unit(ob, local, scene, size=None):
     """`local`: the vertices in the object's own space."""
     settings = getattr(ob.data, names.PROPERTIES)
@@ -98,6 +133,13 @@ def millimetres_per_unit(ob, local, scene, size=None):
         return 1000.0 * scene.unit_settings.scale_length
     longest = _longest_side(ob, local)
     return size / longest if longest > 0.0 else 1.0
+
+
+def millimetres_of_radius(scene, ob):
+    """Millimetres that a unit of a round opening's radius becomes: such lengths are of the object's
+    own space, so that openings grow with it. Requires Object Mode."""
+    longer = mean_scale(ob.matrix_world)
+    return millimetres_per_unit(ob, positions(ob.data), scene) * (longer if longer > 0.0 else 1.0)
 
 
 def _longest_side(ob, local):

@@ -31,15 +31,3 @@ def _read(mesh):
         mesh.loop_triangles.foreach_get("polygon_index", polygon)
         triangles = triangles[left_out[polygon] == 0]
     return positions(mesh), time_colors(times), triangles
-
-
-def read_round_openings(ob):
-    """-> (place on the surface, normal, radius) of each, in the object's own space, as a guess of
-    what will be cut. Requires Object Mode."""
-    found = []
-    for entry in getattr(ob.data, names.PROPERTIES).openings:
-        if entry.number == 0 and len(ob.data.polygons):
-            hit, place, normal, _ = ob.closest_point_on_mesh(entry.location)
-            if hit and normal.length > 0.0:
-                found.append((np.array(place), np.array(normal), entry.radius))
-    return found

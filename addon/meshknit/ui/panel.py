@@ -121,15 +121,29 @@ class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
         layout.prop(mesh, "time_source", text="")
         if mesh.time_source == "ATTRIBUTE":
             return
+        self._draw_source(context, mesh)
         row = layout.row()
         row.template_list(names.LIST_CONSTRAINTS, "", mesh, "constraints", mesh, "active", rows=3)
         row.operator(names.OP_REMOVE_CONSTRAINT, text="", icon="REMOVE").index = -1
         column = layout.column(align=True)
         column.operator(names.OP_ADD_BOUNDARY, icon="ADD")
+        column.operator(names.OP_FROM_SEAMS, icon="ADD")
         if context.object.mode == "EDIT":
             column.operator(names.OP_ADD_CONSTRAINT, icon="ADD")
         else:
             column.label(text="Edit Mode: from edges")
+
+    def _draw_source(self, context, mesh):
+        """What a source other than the constraints needs to know."""
+        if mesh.time_source == "CONSTRAINTS":
+            return
+        column = self.layout.column(align=True)
+        if mesh.time_source == "HEIGHT":
+            column.prop(mesh, "time_axis", text="Along")
+        elif mesh.time_source == "VALUES":
+            column.prop(mesh, "time_values", text="", icon="SPREADSHEET")
+        column.prop(mesh, "time_share", slider=True)
+        column.prop(mesh, "time_mend")
 
 
 CLASSES = (

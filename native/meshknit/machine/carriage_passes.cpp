@@ -9,21 +9,6 @@ namespace {
 
 using Kind = CarriagePass::Kind;
 
-bool is_needle_operation(Op op) {
-  switch (op) {
-    case Op::knit:
-    case Op::tuck:
-    case Op::split:
-    case Op::drop:
-    case Op::amiss:
-    case Op::xfer:
-    case Op::miss:
-      return true;
-    default:
-      return false;
-  }
-}
-
 // What the cams of a bed do in a pass: a miss leaves all to the others.
 enum class Cams { idle, knit, tuck };
 
@@ -215,6 +200,21 @@ class PassFormer {
 };
 
 }  // namespace
+
+bool is_needle_operation(Op op) {
+  switch (op) {
+    case Op::knit:
+    case Op::tuck:
+    case Op::split:
+    case Op::drop:
+    case Op::amiss:
+    case Op::xfer:
+    case Op::miss:
+      return true;
+    default:
+      return false;
+  }
+}
 
 std::vector<CarriagePass> carriage_passes(const Program& program,
                                           const MachineProfile& profile) {

@@ -9,6 +9,9 @@
 
 namespace meshknit {
 
+/// True for operations of needles; the others move carriers, the racking or nothing.
+bool is_needle_operation(Op op);
+
 /// One sweep of the carriage over both beds.
 struct CarriagePass {
   enum class Kind {
@@ -41,7 +44,7 @@ struct ProgramCost {
   int passes = 0;      ///< carriage_passes
   int transfers = 0;
   double max_racking = 0.0;
-  std::vector<std::string> carriers;  ///< that make loops, in the machine's order
+  std::vector<std::string> carriers;          ///< that make loops, in the machine's order
   int lowest_needle = 0, highest_needle = 0;  ///< both 0 without needle operations
   double estimated_minutes = 0.0;             ///< passes * turn + travelled needles / speed
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "meshknit/remesh/fast_marching.h"
+#include "meshknit/surface/fast_marching.h"
 
 namespace meshknit {
 namespace {
@@ -111,7 +111,7 @@ class Joining {
               {v, distance_to_segment(state_.point(v), curve.front(), curve.back())});
     }
     std::vector<double> distance(plan_.region.size(), infinity);
-    march(state_, seeds, 2.0 * room_, beyond, distance);
+    march(state_.mesh, state_.edge_length, seeds, 2.0 * room_, beyond, distance);
     return distance;
   }
 

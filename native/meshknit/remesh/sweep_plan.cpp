@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "meshknit/remesh/fast_marching.h"
 #include "meshknit/remesh/joined_saddles.h"
+#include "meshknit/surface/fast_marching.h"
 
 namespace meshknit {
 namespace {
@@ -47,7 +47,8 @@ void divide(const PeelState& state, double row_height, SweepPlan& plan) {
     std::vector<MarchSeed> seeds;
     for (const int v : event.vertices) seeds.push_back({v, 0.0});
     std::vector<double>& distance = plan.from_saddle;
-    march(state, seeds, (clear_of_saddle + 1.0) * row_height, anywhere, distance);
+    march(state.mesh, state.edge_length, seeds, (clear_of_saddle + 1.0) * row_height, anywhere,
+          distance);
     const auto is_one_of = [&](const std::vector<int>& arcs, int v) {
       return std::find(arcs.begin(), arcs.end(), reeb.arc_of_vertex[v]) != arcs.end();
     };
@@ -101,7 +102,7 @@ void measure_to_end(const PeelState& state, double row_height, SweepPlan& plan) 
   plan.to_end.assign(plan.region.size(), infinity);
   for (int arc = 0; arc < arcs; ++arc)
     march(
-        state, seeds[arc], planned_rows * row_height,
+        state.mesh, state.edge_length, seeds[arc], planned_rows * row_height,
         [&](int v) { return plan.region[v] == arc; }, plan.to_end);
 }
 

@@ -110,7 +110,8 @@ TubePeeling::Candidate TubePeeling::candidate(const RowLevel& level) {
   Candidate c{level, {}, {}, {}};
   c.next = std::move(cycles.front());
   c.images = images_on_next(active_, 0, c.next);
-  c.row.place = sample_next_row(active_, c.next, c.images, peel_.options.stitch_width, fewest_, unit_);
+  c.row.place =
+      sample_next_row(active_, c.next, c.images, peel_.options.stitch_width, fewest_, unit_);
   for (const double place : c.row.place)
     c.row.time.push_back(c.next.cycle.value(c.next.cycle.at(place), c.next.time));
   return c;

@@ -1,6 +1,8 @@
 #include "meshknit/schedule/bed_row.h"
 
 #include <algorithm>
+#include <optional>
+#include <tuple>
 
 namespace meshknit {
 namespace {
@@ -106,22 +108,39 @@ void BedRow::push(std::size_t row, bool right, int distance) {
   shift(order_[row], right ? distance : -distance);
 }
 
+// Tubes touch only where they have just parted: the yarn of their last common row still runs from
+// one to the other, too short for both to be more than a place apart.
+bool BedRow::is_tied(std::size_t row, bool right) const {
+  const int beside = neighbour(row, right);
+  if (beside < 0) return false;
+  const BedLayout &own = hung_[order_[row]].layout, &other = hung_[beside].layout;
+  return (right ? places_between(own, other) : places_between(other, own)) == 0;
+}
+
 OffsetChoice BedRow::make_room(std::size_t row, const BedLayout& layout) {
   pushed_ = true;
-  const auto missing = [&] {
-    const OffsetChoice free = free_offsets(row, layout);
-    return free.lowest - free.highest;
-  };
-  const bool can_left = row > 0, can_right = row + 1 < order_.size();
-  bool right = can_right;
-  if (can_left && can_right)
-    right = stacks_in_the_way(row + 1, true, missing()) <=
-            stacks_in_the_way(row - 1, false, missing());
-  for (const bool way : {right, !right}) {
-    if (missing() <= 0 || !(way ? can_right : can_left)) continue;
-    const std::size_t beside = way ? row + 1 : row - 1;
-    push(beside, way, std::min(missing(), way_to_wall(beside, way)));
+  const OffsetChoice free = free_offsets(row, layout);
+  const int missing = free.lowest - free.highest;
+  const int most_left = row > 0 ? way_to_wall(row - 1, false) : 0;
+  const int most_right = row + 1 < order_.size() ? way_to_wall(row + 1, true) : 0;
+  // Places to make on the left, the others on the right: so that no yarn tears, fewest stacks move,
+  // its own counted unless it can stay, and in equally good ways least far.
+  std::optional<std::tuple<bool, int, int, int>> best;
+  for (int left = std::max(0, missing - most_right); left <= std::min(missing, most_left);
+       ++left) {
+    const int right = missing - left, own = free.lowest - left;
+    int stacks = own == 0 ? 0 : layout.slots;
+    if (left > 0) stacks += stacks_in_the_way(row - 1, false, left);
+    if (right > 0) stacks += stacks_in_the_way(row + 1, true, right);
+    const bool tears = (left > kFreeBetween && is_tied(row, false)) ||
+                       (right > kFreeBetween && is_tied(row, true));
+    const std::tuple<bool, int, int, int> cost{tears, stacks, std::max(left, right), left};
+    if (!best || cost < *best) best = cost;
   }
+  if (!best) return free;
+  const int left = std::get<3>(*best), right = missing - left;
+  if (left > 0) push(row - 1, false, left);
+  if (right > 0) push(row + 1, true, right);
   return free_offsets(row, layout);
 }
 

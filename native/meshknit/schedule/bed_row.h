@@ -32,7 +32,8 @@ class BedRow {
   /// By how much a layout may move so that walls and neighbours leave it room in this row;
   /// none if lowest > highest.
   OffsetChoice free_offsets(std::size_t row, const BedLayout& layout) const;
-  /// Pushes neighbours away until the layout has room between them.
+  /// Pushes neighbours away until the layout has room between them. One that it has just parted from
+  /// moves by kFreeBetween, if that is enough.
   /// Ensures: free_offsets, which it returns, are not empty, if walls leave room for all.
   OffsetChoice make_room(std::size_t row, const BedLayout& layout);
 
@@ -54,6 +55,7 @@ class BedRow {
   };
 
   int neighbour(std::size_t row, bool right) const;
+  bool is_tied(std::size_t row, bool right) const;
   int free_way(std::size_t row, bool right) const;
   int way_to_wall(std::size_t row, bool right) const;
   int stacks_in_the_way(std::size_t row, bool right, int distance) const;

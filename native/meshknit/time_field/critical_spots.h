@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "meshknit/core/run_context.h"
 #include "meshknit/surface/surface.h"
 
 namespace meshknit {
@@ -19,6 +20,15 @@ struct TimeSpot {
 
   bool is_extremum() const { return !(has_earlier && has_later); }
 };
+
+/// Spots without regard to boundaries, by their lowest vertex, and which one each vertex is in.
+struct TimeSpots {
+  std::vector<TimeSpot> spots;
+  std::vector<int> spot_of;
+};
+/// Requires: a finite time per mesh vertex. Throws: Cancelled.
+TimeSpots spots_of_mesh(const TriangleMesh& mesh, const std::vector<double>& time,
+                        RunContext* run = nullptr);
 
 /// All spots of a field, by their lowest vertex. `constant[b]`: boundary b has one time and is
 /// filled.

@@ -2,23 +2,19 @@
 
 #include <algorithm>
 
-#include "meshknit/surface/disjoint_sets.h"
 #include "meshknit/surface/level_walk.h"
+#include "meshknit/time_field/critical_spots.h"
 
 namespace meshknit {
 namespace {
 
-using EdgeHandle = OpenMesh::EdgeHandle;
 using HalfedgeHandle = TriangleMesh::HalfedgeHandle;
 using VertexHandle = TriangleMesh::VertexHandle;
 
-// Neighbouring vertices with one time.
-struct Spot {
+// Neighbouring vertices with one time, boundaries filled.
+struct Spot : TimeSpot {
   double time = 0.0;
-  std::vector<int> vertices;
   bool has_boundary = false;
-  int characteristic = 0;  // Euler characteristic, boundaries filled
-  int sign_changes = 0;    // between earlier and later, going round
   int index() const { return characteristic - sign_changes / 2; }
 };
 
@@ -44,44 +40,13 @@ class Sweep {
 
  private:
   std::vector<Spot> find_spots(RunContext* run) const {
-    const auto ends = [&](EdgeHandle e) {
-      const HalfedgeHandle h = mesh_.halfedge_handle(e, 0);
-      return std::make_pair(mesh_.from_vertex_handle(h).idx(), mesh_.to_vertex_handle(h).idx());
-    };
-    DisjointSets sets(time_.size());
-    for (const auto e : mesh_.edges()) {
-      const auto [a, b] = ends(e);
-      if (time_[a] == time_[b]) sets.unite(a, b);
-    }
-    report(run, 0.0);
+    TimeSpots found = spots_of_mesh(mesh_, time_, run);
     std::vector<Spot> spots;
-    std::vector<int> spot_of(time_.size());
-    for (std::size_t v = 0; v < time_.size(); ++v) {
-      const int root = sets.root(static_cast<int>(v));  // the lowest vertex, so it came before
-      if (root == static_cast<int>(v)) {
-        spot_of[v] = static_cast<int>(spots.size());
-        spots.emplace_back();
-        spots.back().time = time_[v];
-      }
-      spot_of[v] = spot_of[root];
-      spots[spot_of[v]].vertices.push_back(static_cast<int>(v));
-      ++spots[spot_of[v]].characteristic;
+    for (TimeSpot& spot : found.spots) {
+      const double time = time_[spot.vertices.front()];
+      spots.push_back({std::move(spot), time});
     }
-    for (const auto e : mesh_.edges()) {
-      const auto [a, b] = ends(e);
-      if (time_[a] == time_[b]) --spots[spot_of[a]].characteristic;
-    }
-    report(run, 0.0);
-    for (const auto f : mesh_.faces()) {
-      int c[3], k = 0;
-      for (const auto v : mesh_.fv_range(f)) c[k++] = v.idx();
-      std::sort(c, c + 3, [&](int a, int b) { return time_[a] < time_[b]; });
-      if (time_[c[0]] == time_[c[2]])
-        ++spots[spot_of[c[0]]].characteristic;
-      else if (time_[c[0]] < time_[c[1]] && time_[c[1]] < time_[c[2]])
-        ++spots[spot_of[c[1]]].sign_changes;
-    }
-    fill_boundaries(spot_of, spots);
+    fill_boundaries(found.spot_of, spots);
     report(run, 0.0);
     std::stable_sort(spots.begin(), spots.end(),
                      [](const Spot& a, const Spot& b) { return a.time < b.time; });

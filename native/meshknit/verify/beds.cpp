@@ -3,23 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "meshknit/machine/carriage_passes.h"
+
 namespace meshknit {
 namespace {
-
-bool works_needles(Op op) {
-  switch (op) {
-    case Op::knit:
-    case Op::tuck:
-    case Op::split:
-    case Op::drop:
-    case Op::amiss:
-    case Op::xfer:
-    case Op::miss:
-      return true;
-    default:
-      return false;
-  }
-}
 
 bool keeps_position(const Program& program) {
   return std::any_of(program.headers.begin(), program.headers.end(), [](const auto& header) {
@@ -30,7 +17,7 @@ bool keeps_position(const Program& program) {
 int lowest_needle(const Program& program) {
   int lowest = std::numeric_limits<int>::max();
   for (const Instruction& i : program.instructions) {
-    if (!works_needles(i.op)) continue;
+    if (!is_needle_operation(i.op)) continue;
     lowest = std::min(lowest, i.needle.index);
     if (i.op == Op::xfer || i.op == Op::split) lowest = std::min(lowest, i.target.index);
   }

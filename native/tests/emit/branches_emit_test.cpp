@@ -8,6 +8,7 @@
 #include <string>
 
 #include "branching_graphs.h"
+#include "emit/knitted_program.h"
 #include "graphs.h"
 #include "meshknit/core/error.h"
 #include "meshknit/emit/emit_program.h"
@@ -22,27 +23,8 @@
 namespace meshknit {
 namespace {
 
-const MachineProfile& shima() {
-  static const MachineProfile profile = machine_profile("shima_swg091n2");
-  return profile;
-}
-
-std::string errors_of(const Problems& problems) {
-  std::string text;
-  for (const Problem& problem : problems)
-    if (problem.severity == Severity::error)
-      text += problem.code + ": " + problem.message + "\n";
-  return text;
-}
-
-/// Schedules, emits and writes a graph, and asks the independent check what came out.
 std::string errors_of_program(const KnitGraph& graph) {
-  const StitchTrace trace = trace_knit_graph(graph);
-  const Schedule schedule = schedule_stitches(trace, shima());
-  const std::string wrong = errors_of(check_schedule(trace, schedule, shima()));
-  if (!wrong.empty()) return wrong;
-  const std::string text = write_knitout(emit_program(trace, schedule, shima()));
-  return errors_of(verify_knitout(text, shima(), trace).problems);
+  return meshknit::errors_of_program(trace_knit_graph(graph));
 }
 
 Program program_of(const KnitGraph& graph) {
@@ -72,6 +54,15 @@ TEST(BranchesEmit, ThreeLegsKnitWithoutErrorBothWays) {
 TEST(BranchesEmit, ThreeTubesPartInOneRowWithoutError) {
   for (const auto& [a, b, c] : {std::array{6, 3, 6}, {5, 4, 8}, {8, 2, 7}, {12, 6, 4}})
     EXPECT_EQ(errors_of_program(three_way_split(a, b, c, b)), "") << a << " " << b << " " << c;
+}
+
+// The yarn of the last common row still holds the three together; moving two of them out of the way
+// is less work than moving the large tube, but no such yarn reaches over two places.
+TEST(BranchesEmit, TheMiddleOfThreeGetsRoomOnBothSidesBesideALargeTube) {
+  for (const int large : {20, 40})
+    for (const auto& [a, b, c] : {std::array{6, 4, 6}, {6, 3, 6}, {8, 5, 8}})
+      EXPECT_EQ(errors_of_program(three_way_split_beside(large, a, b, c, b)), "")
+          << a << " " << b << " " << c << " beside " << large;
 }
 
 TEST(BranchesEmit, PairsThatWouldCrossAreKnitInTurn) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "emit/knitted_program.h"
 #include "graphs.h"
 #include "meshknit/core/error.h"
 #include "meshknit/emit/emit_program.h"
@@ -13,28 +14,6 @@
 
 namespace meshknit {
 namespace {
-
-const MachineProfile& shima() {
-  static const MachineProfile profile = machine_profile("shima_swg091n2");
-  return profile;
-}
-
-std::string errors_of(const Problems& problems) {
-  std::string text;
-  for (const Problem& problem : problems)
-    if (problem.severity == Severity::error)
-      text += problem.code + ": " + problem.message + "\n";
-  return text;
-}
-
-// Schedules, emits and writes a trace, and asks the independent check what came out.
-std::string errors_of_program(const StitchTrace& trace) {
-  const Schedule schedule = schedule_stitches(trace, shima());
-  const std::string wrong = errors_of(check_schedule(trace, schedule, shima()));
-  if (!wrong.empty()) return wrong;
-  const std::string text = write_knitout(emit_program(trace, schedule, shima()));
-  return errors_of(verify_knitout(text, shima(), trace).problems);
-}
 
 TEST(EndToEnd, PlainTubesOfEveryWidthKnitWithoutError) {
   for (int loops = 6; loops <= 60; ++loops)

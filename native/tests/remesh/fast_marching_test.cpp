@@ -1,4 +1,4 @@
-#include "meshknit/remesh/fast_marching.h"
+#include "meshknit/surface/fast_marching.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,8 @@ TEST(FastMarching, FindsTheHeightThatIsLeftOfAStraightTube) {
   for (const int v : peeled.plan.reeb.events.back().vertices) rim.push_back({v, 0.0});
   std::vector<double> distance(peeled.state.mesh.n_vertices(), infinity);
   march(
-      peeled.state, rim, 40.0, [](int) { return true; }, distance);
+      peeled.state.mesh, peeled.state.edge_length, rim, 40.0, [](int) { return true; },
+      distance);
   for (const auto v : peeled.state.mesh.vertices()) {
     const double left = 120.0 - peeled.state.point(v.idx()).z();
     if (left > 41.0) {
@@ -46,7 +47,7 @@ TEST(FastMarching, EndsOnVeryObtuseTriangles) {
   for (int i = 0; i < 12; ++i) seeds.push_back({i, 0.0});
   std::vector<double> distance(72, infinity);
   march(
-      state, seeds, 1e6, [](int) { return true; }, distance);
+      state.mesh, state.edge_length, seeds, 1e6, [](int) { return true; }, distance);
   for (const double d : distance) EXPECT_TRUE(std::isfinite(d));
 }
 

@@ -10,38 +10,7 @@ namespace {
 // A tube of eight parts into two of four and is whole again. The tubes are f10 f12 b11 b13, with
 // yarn 5, and f14 f16 b15 b17, with yarn 6, which joins in where 5 has left the round unfinished.
 // The right tube stands one place further right for two rounds, so that there is room between.
-constexpr const char* kBranches = R"(;!knitout-2
-;;Carriers: 1 2 3 4 5 6 7 8 9 10
-;;Machine: SWG091N2
-;;Position: Keep
-inhook 5
-tuck - f16 5 ;!source: anchor
-tuck - f12 5 ;!source: anchor
-tuck + f14 5 ;!source: anchor
-releasehook 5
-knit - f16 5 ;!source: waste
-knit - f12 5 ;!source: waste
-tuck + b11 5 ;!source: waste
-tuck + b15 5 ;!source: waste
-knit - f14 5 ;!source: waste
-tuck - f10 5 ;!source: waste
-tuck + b13 5 ;!source: waste
-tuck + b17 5 ;!source: waste
-knit - f16 5 ;!source: stitch 0
-knit - f14 5 ;!source: stitch 1
-knit - f12 5 ;!source: stitch 2
-knit - f10 5 ;!source: stitch 3
-knit + b11 5 ;!source: stitch 4
-knit + b13 5 ;!source: stitch 5
-knit + b15 5 ;!source: stitch 6
-knit + b17 5 ;!source: stitch 7
-knit - f16 5 ;!source: stitch 8
-knit - f14 5 ;!source: stitch 9
-knit - f12 5 ;!source: stitch 10
-knit - f10 5 ;!source: stitch 11
-knit + b11 5 ;!source: stitch 12
-knit + b13 5 ;!source: stitch 13
-knit - f12 5 ;!source: stitch 14
+constexpr const char* kBranches = R"(knit - f12 5 ;!source: stitch 14
 knit - f10 5 ;!source: stitch 15
 knit + b11 5 ;!source: stitch 16
 knit + b13 5 ;!source: stitch 17
@@ -168,6 +137,6 @@ StitchTrace branches_trace() {
   return trace;
 }
 
-KnitoutLines KnitoutLines::branches() { return KnitoutLines(std::string(kBranches)); }
+KnitoutLines KnitoutLines::branches() { return KnitoutLines(first_rounds + kBranches); }
 
 }  // namespace meshknit

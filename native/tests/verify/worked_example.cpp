@@ -5,11 +5,7 @@
 #include <utility>
 
 namespace meshknit {
-namespace {
-
-// The primer's section 6, one operation a line. Front loops on f10 to f16, back loops on b11 to
-// b17.
-constexpr const char* kText = R"(;!knitout-2
+const std::string first_rounds = R"(;!knitout-2
 ;;Carriers: 1 2 3 4 5 6 7 8 9 10
 ;;Machine: SWG091N2
 ;;Position: Keep
@@ -40,7 +36,13 @@ knit - f12 5 ;!source: stitch 10
 knit - f10 5 ;!source: stitch 11
 knit + b11 5 ;!source: stitch 12
 knit + b13 5 ;!source: stitch 13
-knit + b15 5 ;!source: stitch 14
+)";
+
+namespace {
+
+// The primer's section 6, one operation a line. Front loops on f10 to f16, back loops on b11 to
+// b17.
+constexpr const char* kRest = R"(knit + b15 5 ;!source: stitch 14
 knit + b17 5 ;!source: stitch 15
 xfer f10 b10
 rack 2
@@ -149,7 +151,7 @@ StitchTrace worked_trace() {
   return trace;
 }
 
-KnitoutLines::KnitoutLines() : KnitoutLines(std::string(kText)) {}
+KnitoutLines::KnitoutLines() : KnitoutLines(first_rounds + kRest) {}
 
 KnitoutLines::KnitoutLines(std::string text) {
   for (std::size_t end = 0; (end = text.find('\n')) != std::string::npos;) {

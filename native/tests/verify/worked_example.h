@@ -7,6 +7,9 @@
 
 namespace meshknit {
 
+/// How both examples begin: eight loops cast on over waste, and a round and three quarters.
+extern const std::string first_rounds;
+
 /// The traced stitches of the primer's worked example (section 6), written by hand.
 StitchTrace worked_trace();
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "meshknit/remesh/front.h"
+#include "meshknit/surface/triangle_mesh.h"
 
 namespace meshknit {
 
@@ -21,7 +21,11 @@ double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
 /// says no. Fast marching (Kimmel and Sethian 1998): near enough for counting the rows that are
 /// left, and linear in the strip where exact windows would multiply. `distance` holds one number a
 /// vertex, infinite where nothing is known yet; smaller numbers in it are kept.
-void march(const PeelState& state, const std::vector<MarchSeed>& seeds, double limit,
+void march(const TriangleMesh& mesh, const std::vector<double>& edge_length,
+           const std::vector<MarchSeed>& seeds, double limit,
            const std::function<bool(int)>& passable, std::vector<double>& distance);
+
+/// One length an edge, mm.
+std::vector<double> edge_lengths(const TriangleMesh& mesh);
 
 }  // namespace meshknit

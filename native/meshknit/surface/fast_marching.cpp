@@ -1,4 +1,4 @@
-#include "meshknit/remesh/fast_marching.h"
+#include "meshknit/surface/fast_marching.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +40,15 @@ double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
   return (a + t * ab - p).norm();
 }
 
-void march(const PeelState& state, const std::vector<MarchSeed>& seeds, double limit,
+std::vector<double> edge_lengths(const TriangleMesh& mesh) {
+  std::vector<double> lengths(mesh.n_edges());
+  for (const auto e : mesh.edges()) lengths[e.idx()] = mesh.calc_edge_length(e);
+  return lengths;
+}
+
+void march(const TriangleMesh& mesh, const std::vector<double>& edge_length,
+           const std::vector<MarchSeed>& seeds, double limit,
            const std::function<bool(int)>& passable, std::vector<double>& distance) {
-  const TriangleMesh& mesh = state.mesh;
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>,
                       std::greater<>>
       queue;
@@ -57,14 +63,17 @@ void march(const PeelState& state, const std::vector<MarchSeed>& seeds, double l
     queue.pop();
     if (d > distance[v]) continue;
     for (const auto h : mesh.voh_range(TriangleMesh::VertexHandle(v))) {
-      const int w = state.to(h.idx());
-      offer(w, d + state.length(h.idx()));
+      const int w = mesh.to_vertex_handle(h).idx();
+      offer(w, d + edge_length[h.idx() >> 1]);
       if (mesh.is_boundary(h)) continue;
-      const int third = state.to(mesh.next_halfedge_handle(h).idx());
+      const int third = mesh.to_vertex_handle(mesh.next_halfedge_handle(h)).idx();
       for (const auto& [known, other] : {std::pair<int, int>{w, third}, {third, w}})
         if (std::isfinite(distance[known]) && passable(known))
-          offer(other, through_triangle(d, distance[known], state.point(v) - state.point(other),
-                                        state.point(known) - state.point(other)));
+          offer(other, through_triangle(d, distance[known],
+                                        mesh.point(TriangleMesh::VertexHandle(v)) -
+                                            mesh.point(TriangleMesh::VertexHandle(other)),
+                                        mesh.point(TriangleMesh::VertexHandle(known)) -
+                                            mesh.point(TriangleMesh::VertexHandle(other))));
     }
   }
 }

@@ -1,0 +1,37 @@
+"""What the overlays are about, and how far they lie above it."""
+
+import bpy
+
+from .. import names
+
+LIFT = 0.35  # lines lie this many stitch heights nearer to the viewer than the surface
+
+
+def active_object():
+    """-> (active mesh object or None, the scene's properties); None where overlays are off."""
+    context = bpy.context
+    shown = getattr(context.scene, names.PROPERTIES)
+    ob = context.object
+    visible = context.space_data.overlay.show_overlays
+    if ob is None or ob.type != "MESH" or not visible or not ob.visible_get():
+        return None, shown
+    return ob, shown
+
+
+def stitch_height(session, shown, stage):
+    """In scene units, at the scale of a stage's own run."""
+    result = session.results.get(stage) if session is not None else None
+    return shown.stitch_height / (result.scale if result is not None else 1000.0)
+
+
+def has_fresh_rims(session):
+    """True if the rims of openings are known as they were cut."""
+    return is_cut(session) and session.is_fresh("check")
+
+
+def is_cut(session):
+    return (
+        session is not None
+        and session.value("check") is not None
+        and session.value("check").cut is not None
+    )

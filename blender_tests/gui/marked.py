@@ -1,0 +1,25 @@
+"""What the marks of the active object are."""
+
+import bpy
+import numpy as np
+
+from meshknit.scene.attributes import read_attribute
+
+
+def entries():
+    """Times of the constraints, and (time, radius in mm) of the openings."""
+    settings = bpy.context.object.data.meshknit
+    openings = [(round(o.time, 4), round(1000.0 * o.radius, 3)) for o in settings.openings]
+    return [round(c.time, 4) for c in settings.constraints], openings
+
+
+def chain(index):
+    """Positions of the vertices on a constraint, in the object's own space."""
+    ob = bpy.context.object
+    mode = ob.mode
+    bpy.ops.object.mode_set(mode="OBJECT")
+    marks = read_attribute(ob.data, "knit_constraint", "INT", "EDGE")
+    rows = {v for e, m in zip(ob.data.edges, marks) if m == index + 1 for v in e.vertices}
+    places = np.array([ob.data.vertices[v].co for v in sorted(rows)]).reshape(-1, 3)
+    bpy.ops.object.mode_set(mode=mode)
+    return places
