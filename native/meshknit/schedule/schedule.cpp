@@ -110,7 +110,8 @@ Schedule schedule_stitches(const StitchTrace& trace, const MachineProfile& profi
   Assembly assembly(tubes);
   for (const PlacedStep& step : placed.steps) assembly.add(step);
   Schedule schedule = assembly.take();
-  schedule.optimal = order.optimal && placed.optimal;
+  schedule.optimal_order = order.optimal;
+  schedule.optimal_moves = placed.optimal;
   schedule.segments = static_cast<int>(tubes.tubes.size());
   schedule.connections = static_cast<int>(connections.size());
   report(run, 1.0);

@@ -69,7 +69,9 @@ struct Schedule {
   std::vector<ScheduleStep> steps;
   std::vector<TubeEnd> ends;  ///< in the order of their steps
   LayoutCost cost;
-  bool optimal = true;
+  bool optimal_order = true;  ///< no order of the tubes on the bed costs less
+  bool optimal_moves = true;  ///< no tube moved otherwise than is best for it, to keep room
+  bool optimal() const { return optimal_order && optimal_moves; }
   int segments = 0, connections = 0;
 };
 
@@ -88,9 +90,9 @@ struct Schedule {
 /// "too-narrow" for a row of fewer than two loops; "stack-too-high" naming the nodes where tucks
 /// and decreases pile up more loops than a needle holds; "tubes-cross", "tubes-not-side-by-side",
 /// "loops-apart" (bed_order.h, connections.h, tube_steps.h); Cancelled.
-/// Ensures: check_schedule(trace, result, profile) finds nothing. `optimal` is false if not all
-/// orders of the tubes could be tried, or if tubes would walk off the bed or into each other and
-/// some moves had to be worse than their best.
+/// Ensures: check_schedule(trace, result, profile) finds nothing. Not optimal is the order if not all
+/// orders of the tubes could be tried, and the moves if tubes would walk off the bed or into each
+/// other and some had to be worse than their best.
 Schedule schedule_stitches(const StitchTrace& trace, const MachineProfile& profile,
                            RunContext* run = nullptr);
 

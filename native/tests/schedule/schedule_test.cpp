@@ -143,7 +143,7 @@ TEST(Schedule, ALeaningTubeStaysOnTheBed) {
   }
   const StitchTrace trace = tube.end();
   const Schedule walking = schedule_stitches(trace, half_metre_machine());
-  EXPECT_TRUE(walking.optimal);
+  EXPECT_TRUE(walking.optimal());
   EXPECT_EQ(walking.cost.roll, 0);
   EXPECT_GE(walking.ends[0].hooks[0].n - walking.steps[0].before_hooks[0].n, 10);
 
@@ -152,7 +152,7 @@ TEST(Schedule, ALeaningTubeStaysOnTheBed) {
       46;  // places 1..22, four kept free at each end: just the 14 that 28 loops need
   const Schedule kept = schedule_stitches(trace, small);
   EXPECT_EQ(first_message(check_schedule(trace, kept, small)), "");
-  EXPECT_FALSE(kept.optimal) << "loops had to move that could have stayed on a wider bed";
+  EXPECT_FALSE(kept.optimal()) << "loops had to move that could have stayed on a wider bed";
   EXPECT_EQ(kept.cost.roll, 0);
 }
 
