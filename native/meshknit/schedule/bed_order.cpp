@@ -22,7 +22,7 @@ struct Held {
 };
 using Row = std::vector<Held>;
 
-using OrderCost = std::array<long, 5>;  // a TubeCost summed up, and tubes that make room
+using OrderCost = std::array<long, 4>;  // a TubeCost summed up, and tubes that make room
 
 // The last choice of a way through the events, and the way before it.
 struct Choice {
