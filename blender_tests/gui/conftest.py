@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import meshknit
-from meshknit.scene import live, sessions
+from meshknit.scene import sessions
 from meshknit.ui.panel import MESHKNIT_PT_knit
 from user import User, pump, pump_until
 
