@@ -8,7 +8,7 @@ from ..core.errors import UsageError
 from ..core.suggestions import find_suggestions, suggestions_key
 from ..scene import sessions, undo
 from ..scene.apply_suggestion import apply_suggestion
-from ..scene.edit_mode import active_mesh, object_mode
+from ..scene.edit_mode import object_mode
 from .mark_base import poll_marks
 from .stage_base import StageOperator
 
