@@ -151,9 +151,9 @@ def test_at_rest_the_object_is_not_looked_at_again_and_again(user, tube, monkeyp
 def test_an_object_in_sculpt_mode_is_looked_at_only_after_it(user, tube, monkeypatch):
     user.click_button("meshknit.build_graph(")
     pump_until(lambda: finished() and session() and session().is_fresh("graph"))
-    looks, look_again = [], sessions.look_again
+    looks, read = [], sessions.read_as_it_is
     monkeypatch.setattr(
-        sessions, "look_again", lambda *a: (looks.append(a[1].mode), look_again(*a))
+        sessions, "read_as_it_is", lambda *a: (looks.append(a[1].mode), read(*a))[1]
     )
     for mode in ("SCULPT", "EDIT", "WEIGHT_PAINT"):
         bpy.ops.object.mode_set(mode=mode)
