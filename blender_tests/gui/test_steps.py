@@ -162,8 +162,9 @@ def test_an_object_in_sculpt_mode_is_looked_at_only_after_it(user, tube, monkeyp
         end = time.monotonic() + 3 * sessions.SECONDS_OF_REST
         pump_until(lambda: time.monotonic() > end)
         assert looks == [] and bpy.context.object.mode == mode
+    assert "graph" in session().stale_stages()  # which needs no look
     bpy.ops.object.mode_set(mode="OBJECT")
-    pump_until(lambda: "graph" in session().stale_stages(), seconds=20)
+    pump_until(lambda: session().is_fresh("graph"), seconds=20)
     assert set(looks) == {"OBJECT"}
 
 
