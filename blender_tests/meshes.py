@@ -89,3 +89,35 @@ def marks(*times, units="model"):
     """A marks file: (time, point near a boundary) for each boundary."""
     entries = [{"time": time, "boundary_near": list(point)} for time, point in times]
     return {"format": "meshknit-marks-1", "units": units, "times": entries}
+
+
+def lantern(size=20.0, along=4):
+    """A trunk that parts left and right and then front and back; both fronts meet, and both backs,
+    and then these: on two beds some tubes would have to cross. Open below and above, of cubes of this
+    size with `along` quads along an edge."""
+    sides, wide = (0, 4), range(5)
+    cubes = {(2, 2, z) for z in (0, 1, 10, 11)}
+    cubes |= {(x, 2, 2) for x in wide} | {(x, 2, 3) for x in sides}
+    cubes |= {(x, y, 4) for x in sides for y in wide}
+    cubes |= {(x, y, z) for x in sides for y in sides for z in (5, 6)}
+    cubes |= {(x, y, 7) for x in wide for y in sides}
+    cubes |= {(2, y, 8) for y in sides} | {(2, y, 9) for y in wide}
+    rims = {((2, 2, 0), (0, 0, -1)), ((2, 2, 11), (0, 0, 1))}
+    number, polygons = {}, []
+    for cube in sorted(cubes):
+        for axis in range(3):
+            for way in (-1, 1):
+                out = tuple(way * (axis == k) for k in range(3))
+                if tuple(np.add(cube, out)) in cubes or (cube, out) in rims:
+                    continue
+                corner = along * (np.array(cube) + np.maximum(out, 0))
+                u, v = np.eye(3, dtype=int)[[(axis + 1) % 3, (axis + 2) % 3]][::way]
+                for i in range(along):
+                    for j in range(along):
+                        quad = [corner + a * u + b * v for a, b in _square(i, j)]
+                        polygons.append([number.setdefault(tuple(p), len(number)) for p in quad])
+    return np.array(list(number), dtype=float) * size / along, polygons
+
+
+def _square(i, j):
+    return ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))

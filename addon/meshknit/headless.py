@@ -106,6 +106,10 @@ def _add_advice(outcome):
     """What the stages cannot know: which options help."""
     if any(p["code"] == "too-many-stitches" for p in outcome.problems):
         outcome.message += " Say how large it is with --scale or --size."
+    if not outcome.ok:
+        for problem in outcome.problems:
+            if problem["code"] == "seam-needed":
+                outcome.message += f" {problem['message']} Allow it with --allow-seams."
 
 
 def _settings(options, scene):
@@ -121,6 +125,8 @@ def _settings(options, scene):
         settings = replace(settings, stitch_height=options.stitch_height)
     if options.no_relax:
         settings = replace(settings, relax=False)
+    if options.allow_seams:
+        settings = replace(settings, allow_seams=True)
     return settings
 
 

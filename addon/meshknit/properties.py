@@ -204,6 +204,13 @@ class MESHKNIT_PG_scene(bpy.types.PropertyGroup):
         subtype="FILE_PATH",
         update=_touched,
     )
+    allow_seams: BoolProperty(
+        name="Allow seams",
+        description="Where tubes would have to cross on the machine, knit the object in parts that "
+        "are sewn together afterwards",
+        default=DEFAULTS.allow_seams,
+        update=_touched,
+    )
     output: StringProperty(
         name="Machine file",
         description="Where Write puts the knitout program. Left empty: a file named after the "

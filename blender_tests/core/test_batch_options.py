@@ -47,6 +47,7 @@ def test_defaults_run_to_the_end():
     options = parse_options([])
     assert options.until == "emit" and options.machine is None and not options.quiet
     assert not options.no_relax and parse_options(["--no-relax"]).no_relax
+    assert not options.allow_seams and parse_options(["--allow-seams"]).allow_seams
 
 
 def test_a_profile_file_changes_one_machine(tmp_path):

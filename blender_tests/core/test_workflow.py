@@ -95,6 +95,7 @@ def test_known_results_are_not_computed_again():
         (lambda m, s: (replace(m, constraints=m.constraints[::-1]), s), "time"),
         (lambda m, s: (m, replace(s, stitch_height=2.0)), "graph"),
         (lambda m, s: (m, replace(s, relax=False)), "graph"),
+        (lambda m, s: (m, replace(s, allow_seams=True)), "graph"),
         (lambda m, s: (m, replace(s, machine=Machine(changes=(("needles", 300),)))), "trace"),
     ],
 )

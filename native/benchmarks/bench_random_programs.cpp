@@ -37,6 +37,7 @@ struct Slowest {
 
 struct Tally {
   int knitted = 0, crashed = 0;
+  int seams = 0;                                    // that were needed
   std::map<std::string, std::vector<int>> refused;  // "stage: code" -> seeds
   double stitches = 0.0, passes = 0.0, transfers = 0.0;
   double seconds[4] = {};
@@ -61,13 +62,15 @@ void knit(int seed, Tally& tally) {
   };
   try {
     const CheckedGraph graph =
-        build_knit_graph(random.timed.surface, random.timed.time, random.gauge);
+        cut_seams(build_knit_graph(random.timed.surface, random.timed.time, random.gauge));
+    tally.seams += static_cast<int>(graph.seams.size());
     next();
     const StitchTrace trace = build_trace(graph.graph, machine);
     next();
     const Schedule schedule = build_schedule(trace, machine);
     next();
-    const CheckedKnitout knitout = build_knitout(trace, schedule, machine);
+    const CheckedKnitout knitout =
+        build_knitout(trace, schedule, machine, nullptr, graph.seams);
     ++tally.knitted;
     tally.stitches += static_cast<double>(trace.stitches.size());
     tally.passes += knitout.cost.passes;
@@ -88,8 +91,8 @@ void measure(int argc, char** argv) {
   const int first = argc > 2 ? std::stoi(argv[2]) : 0;
   Tally tally;
   for (int seed = first; seed < first + count; ++seed) knit(seed, tally);
-  std::printf("%d random surfaces: %d checked files, %d crashes\n", count, tally.knitted,
-              tally.crashed);
+  std::printf("%d random surfaces: %d checked files, %d seams, %d crashes\n", count,
+              tally.knitted, tally.seams, tally.crashed);
   for (const auto& [why, seeds] : tally.refused) {
     std::printf("refused, %s: %zu (seeds", why.c_str(), seeds.size());
     for (const int seed : seeds) std::printf(" %d", seed);

@@ -83,6 +83,22 @@ py::tuple row_edges(const KnitGraph& g) {
   return py::make_tuple(to_table(pairs, 2), to_array(of_short_row).attr("astype")("bool"));
 }
 
+// The report's `seams` entry.
+py::list seams_to_python(const CheckedGraph& g) {
+  py::list seams;
+  for (const Seam& seam : g.seams) {
+    const auto& rows = g.graph.rows;
+    py::dict entry;
+    entry["rows"] = std::vector<int>{seam.row_below, seam.row_above};
+    entry["stitches"] = std::vector<std::size_t>{rows[seam.row_below].nodes.size(),
+                                                 rows[seam.row_above].nodes.size()};
+    entry["at"] = std::vector<double>(seam.middle.data(), seam.middle.data() + 3);
+    entry["columns"] = seam.columns;
+    seams.append(entry);
+  }
+  return seams;
+}
+
 py::list stitches_to_python(const StitchTrace& trace) {
   py::list result;
   for (const Stitch& s : trace.stitches) {
@@ -130,7 +146,8 @@ void bind_graph(py::module_& m) {
           "(node pairs, whether each lies on a short row).")
       .def_property_readonly("problems",
                              [](const CheckedGraph& g) { return to_python(g.check.problems); })
-      .def_property_readonly("report", &graph_report, "The report's `graph` entry.");
+      .def_property_readonly("report", &graph_report, "The report's `graph` entry.")
+      .def_property_readonly("seams", &seams_to_python, "The report's `seams` entry.");
 
   m.def(
       "build_knit_graph",
@@ -145,6 +162,14 @@ void bind_graph(py::module_& m) {
       py::arg("stitch_width") = RemeshOptions().stitch_width,
       py::arg("stitch_height") = RemeshOptions().stitch_height,
       py::arg("relax") = RemeshOptions().relax, py::arg("run") = nullptr);
+
+  m.def(
+      "cut_seams",
+      [](const CheckedGraph& graph) {
+        py::gil_scoped_release release;
+        return std::make_unique<CheckedGraph>(cut_seams(graph));
+      },
+      py::arg("graph"), "The graph cut along the seams that it needs to be knittable, if any.");
 
   py::class_<StitchTrace>(m, "StitchTrace", py::module_local(),
                           "Traced stitches in construction order.")

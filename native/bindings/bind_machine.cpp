@@ -14,7 +14,9 @@ py::dict schedule_report(const Schedule& s) {
   report["segments"] = s.segments;
   report["connections"] = s.connections;
   report["cost"] = cost;
-  report["optimal"] = s.optimal;
+  report["optimal"] = s.optimal();
+  report["optimal_order"] = s.optimal_order;
+  report["optimal_moves"] = s.optimal_moves;
   return report;
 }
 
@@ -105,11 +107,14 @@ void bind_machine(py::module_& m) {
   m.def(
       "knitout",
       [](const StitchTrace& trace, const Schedule& schedule, const MachineProfile& profile,
-         RunContext* run) {
+         RunContext* run, const CheckedGraph* graph) {
         py::gil_scoped_release release;
-        return std::make_unique<CheckedKnitout>(build_knitout(trace, schedule, profile, run));
+        return std::make_unique<CheckedKnitout>(
+            build_knitout(trace, schedule, profile, run,
+                          graph != nullptr ? graph->seams : std::vector<Seam>()));
       },
-      py::arg("trace"), py::arg("schedule"), py::arg("profile"), py::arg("run") = nullptr);
+      py::arg("trace"), py::arg("schedule"), py::arg("profile"), py::arg("run") = nullptr,
+      py::arg("graph") = nullptr, "With the traced graph, the sheet tells of its seams.");
   m.def(
       "check_knitout",
       [](const std::string& text, const MachineProfile& profile, const StitchTrace& trace) {

@@ -79,6 +79,7 @@ def _make_parser():
     add("--stitch-width", type=float, metavar="MM", help="default 3.66")
     add("--stitch-height", type=float, metavar="MM", help="default 1.73")
     add("--no-relax", action="store_true", help="leave the stitches where peeling put them")
+    add("--allow-seams", action="store_true", help="cut tubes that would have to cross, to be sewn")
     add("--output", metavar="FILE.k", help="knitout, written if the independent check passed")
     add("--kcode", metavar="FILE.kc", help="Kniterate's own file (machine kniterate only)")
     add("--graph", metavar="FILE.json")

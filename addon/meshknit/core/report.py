@@ -36,6 +36,8 @@ def build_report(library, model, settings, outcome):
     for stage in ("graph", "trace", "schedule"):
         if stage in values:
             report[stage] = values[stage].report
+    if "graph" in values:
+        report["seams"] = values["graph"].seams
     if "emit" in values:
         report["program"] = values["emit"].program
         report["check"] = values["emit"].check

@@ -13,3 +13,4 @@ class Settings:
     stitch_height: float = 1.73  # l_c
     relax: bool = True  # even edges out afterwards
     machine: Machine = field(default_factory=Machine)
+    allow_seams: bool = False  # cut tubes that would have to cross, to be sewn

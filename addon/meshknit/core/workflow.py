@@ -65,7 +65,7 @@ def stage_keys(model, settings):
     source = model.source.key() if model.source is not None else ()
     field_key = digest("time", check, own, [o.time for o in model.openings], *source)
     gauge = (settings.stitch_width, settings.stitch_height, settings.relax)
-    graph = digest("graph", field_key, *gauge)
+    graph = digest("graph", field_key, *gauge, settings.allow_seams)
     trace = digest("trace", graph, settings.machine)  # whose carriers limit the yarns at a time
     schedule = digest("schedule", trace)
     emit = digest("emit", schedule)
@@ -193,6 +193,8 @@ def _graph(library, model, settings, before, context):
         settings.relax,
         context,
     )
+    if settings.allow_seams:
+        graph = library.cut_seams(graph)
     return graph, graph.problems
 
 
@@ -208,7 +210,9 @@ def _schedule(library, model, settings, before, context):
 
 def _emit(library, model, settings, before, context):
     profile = make_profile(library, settings.machine)
-    knitout = library.knitout(before["trace"], before["schedule"], profile, context)
+    knitout = library.knitout(
+        before["trace"], before["schedule"], profile, context, before["graph"]
+    )
     return knitout, knitout.problems
 
 

@@ -79,7 +79,7 @@ class StageOperator:
         """Reads all that the run needs. -> a function of a RunContext that returns the outcome,
         or None after saying why not."""
         ob = active_mesh(context)
-        live.stop()
+        live.give_way()
         try:
             library = native.load()
             self._model, self._settings = sessions.read_inputs(context, ob)

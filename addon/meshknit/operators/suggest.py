@@ -8,7 +8,7 @@ from ..core.errors import UsageError
 from ..core.suggestions import find_suggestions, suggestions_key
 from ..scene import sessions, undo
 from ..scene.apply_suggestion import apply_suggestion
-from ..scene.edit_mode import active_mesh, object_mode
+from ..scene.edit_mode import object_mode
 from .mark_base import poll_marks
 from .stage_base import StageOperator
 
@@ -31,13 +31,6 @@ class MESHKNIT_OT_suggest(StageOperator, bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         return poll_marks(cls, context)
-
-    def invoke(self, context, event):
-        session = sessions.known_session(active_mesh(context))
-        if session is not None and session.suggestions is not None:
-            # Nothing to wait for, most likely.
-            return self.execute(context)
-        return super().invoke(context, event)
 
     def _work(self, library, model, settings, session):
         key, known = suggestions_key(model, settings), session.suggestions

@@ -13,12 +13,10 @@ from mathutils import Matrix
 
 from .. import compat, names, native
 from ..core.errors import UsageError
-from ..core.guidance import assess
 from ..core.job import Job
-from ..core.live_field import make_live_field
+from ..core.live_work import build, find_field, judge
 from ..core.model import Constraint
 from ..core.report import build_report
-from ..core.workflow import run_stages
 from . import sessions, shown_field
 from .edit_mode import active_mesh
 from .shown_field import shown
@@ -88,14 +86,19 @@ def _set_drawn(ob, drawn):
         _wake()
 
 
+def give_way():
+    """Lets a step that a person starts go first; what was going on is due again afterwards."""
+    if _work is not None and _work.kind != FIELD:
+        _work.job.cancel()
+        _state.due.add(_work.kind)
+
+
 def stop():
-    """Ends the work in the background; what it was for is due again. For steps that a person starts,
-    and before Blender's data go."""
+    """Ends the work in the background, before Blender's data go."""
     global _work
     if _work is not None:
         _work.job.cancel()
         _work.job.wait()
-        _state.due.add(_work.kind)
         _work = None
 
 
@@ -132,18 +135,18 @@ def _next_step(context, ob):
         _state.due.add(FIELD)
     _state.changed.clear()
     if FIELD in _state.due:
-        return POLL if _start(context, ob, FIELD, make_live_field) else None
+        return POLL if _start(context, ob, FIELD, find_field) else None
     if not _state.due:
         return None
     if _state.drawn is not None or time.monotonic() - _state.last_change < REST:
         return WAIT
     if JUDGE in _state.due:
-        return POLL if _start(context, ob, JUDGE, _judge) else None
+        return POLL if _start(context, ob, JUDGE, judge) else None
     _state.due.discard(GRAPH)
     session = sessions.session_of(ob)
     if getattr(context.scene, names.PROPERTIES).live_graph and not session.is_fresh("graph"):
         if session.is_fresh("time"):
-            return POLL if _start(context, ob, GRAPH, _build) else None
+            return POLL if _start(context, ob, GRAPH, build) else None
     return None
 
 
@@ -186,17 +189,6 @@ def _start(context, ob, kind, work):
     job = Job(lambda run: work(library, model, settings, run, known, before), library.RunContext())
     _work = _Work(kind, compat.object_key(ob), job, model, settings, matrix, time.monotonic())
     return True
-
-
-def _judge(library, model, settings, run, known, before):
-    """The field once more: after changes of times its keys are old, and a rare change may have
-    come under cover of another."""
-    live, outcome = make_live_field(library, model, settings, run, known, before)
-    return live, *assess(library, model, settings, run, {**known, **outcome.results})
-
-
-def _build(library, model, settings, run, known, _before):
-    return run_stages(library, model, settings, "graph", run, known)
 
 
 def _while_working(context, ob):

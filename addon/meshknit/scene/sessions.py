@@ -5,7 +5,7 @@ Results live in memory only. What must survive saving and undo is on the mesh.""
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import compat, names
+from .. import compat
 from ..core.errors import UsageError
 from ..core.session import Session
 from ..core.workflow import stage_keys

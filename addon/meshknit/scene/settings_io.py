@@ -16,4 +16,4 @@ def read_settings(scene):
         machine = read_machine(bpy.path.abspath(path))
     # Properties are single precision: rounding gives back what was typed.
     width, height = round(properties.stitch_width, 6), round(properties.stitch_height, 6)
-    return Settings(width, height, properties.relax, machine)
+    return Settings(width, height, properties.relax, machine, properties.allow_seams)

@@ -94,6 +94,7 @@ class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
         column.prop(scene, "stitch_width", text="Width")
         column.prop(scene, "stitch_height", text="Height")
         layout.prop(scene, "relax")
+        layout.prop(scene, "allow_seams")
         layout.prop(scene, "machine", text="")
         layout.label(text="Profile of your own:")
         layout.prop(scene, "machine_file", text="")

@@ -44,6 +44,8 @@ class MESHKNIT_PT_results(KnitPanel, bpy.types.Panel):
         if problem["elements"]:
             select = box.operator(names.OP_SELECT_PROBLEM, text="Show", icon="VIEWZOOM")
             select.index = index
+        if problem["code"] == "seam-needed":
+            box.operator(names.OP_ALLOW_SEAMS, icon="MOD_EXPLODE")
 
 
 class MESHKNIT_PT_display(KnitPanel, bpy.types.Panel):

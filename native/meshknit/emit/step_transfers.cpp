@@ -65,9 +65,7 @@ TransferProblem step_transfer_problem(const ScheduleStep& step, Direction direct
   }
   if (!moves) return {};
   problem.slack = usual_slack(problem.loops);
-  // Tubes that hang beside bear rackings that stretch a bridge of one needle to the limit
-  // (schedule/layout_search.h).
-  problem.max_racking = std::min(profile.max_racking, profile.max_stretch - 1);
+  problem.max_racking = std::min(profile.max_racking, profile.max_stretch - step.bridge_beside);
   problem.lowest = step.lowest_place;
   problem.highest = step.highest_place;
   return direction == Direction::anticlockwise ? problem : mirrored(problem);

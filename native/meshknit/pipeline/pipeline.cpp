@@ -7,6 +7,7 @@
 #include "meshknit/knitout/kcode_plan.h"
 #include "meshknit/knitout/knitout_writer.h"
 #include "meshknit/pipeline/run_sheet.h"
+#include "meshknit/pipeline/seam_problems.h"
 #include "meshknit/schedule/schedule_checks.h"
 #include "meshknit/tracing/trace.h"
 #include "meshknit/tracing/trace_checks.h"
@@ -85,7 +86,26 @@ CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>&
   result.check.problems.insert(result.check.problems.end(), warnings.begin(), warnings.end());
   result.stats = measure_graph(result.graph);
   warn_of_poor_fit(result);
+  const std::vector<Seam> seams = plan_seams(result.graph).seams;
+  if (!seams.empty()) result.check.problems.push_back(propose_seams(result.graph, seams));
   return result;
+}
+
+CheckedGraph cut_seams(CheckedGraph graph) {
+  graph.seams = plan_seams(graph.graph).seams;
+  if (graph.seams.empty()) return graph;
+  graph.graph = cut_along(graph.graph, graph.seams);
+  KnitGraphCheck check = check_knit_graph(graph.graph);
+  keep_promise("Cutting seams", check.problems);
+  Problems& problems = graph.check.problems;
+  problems.erase(std::remove_if(problems.begin(), problems.end(),
+                                [](const Problem& p) { return p.code == "seam-needed"; }),
+                 problems.end());
+  const Problems seams = warn_of_seams(graph.graph, graph.seams);
+  problems.insert(problems.end(), seams.begin(), seams.end());
+  graph.check.violations = check.violations;
+  graph.stats = measure_graph(graph.graph);
+  return graph;
 }
 
 StitchTrace build_trace(const KnitGraph& graph, const MachineProfile& profile,
@@ -104,7 +124,8 @@ Schedule build_schedule(const StitchTrace& trace, const MachineProfile& profile,
 }
 
 CheckedKnitout build_knitout(const StitchTrace& trace, const Schedule& schedule,
-                             const MachineProfile& profile, RunContext* run) {
+                             const MachineProfile& profile, RunContext* run,
+                             const std::vector<Seam>& seams) {
   require_settings(profile);
   const Program program = emit_program(trace, schedule, profile, run);
   CheckedKnitout result;
@@ -113,7 +134,7 @@ CheckedKnitout build_knitout(const StitchTrace& trace, const Schedule& schedule,
   keep_promise("The machine file", result.check.problems);
   result.cost = measure_program(program, profile);
   if (profile.takes_kcode) add_kcode(program, profile, result);
-  result.sheet = write_run_sheet(trace, result, profile);
+  result.sheet = write_run_sheet(trace, result, profile, seams);
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "meshknit/schedule/schedule.h"
 #include "meshknit/surface/surface.h"
 #include "meshknit/time_field/time_field.h"
+#include "meshknit/tracing/seams.h"
 #include "meshknit/tracing/stitch.h"
 #include "meshknit/verify/verify_knitout.h"
 
@@ -21,15 +22,21 @@ namespace meshknit {
 // checkers that tests call. All throw NotKnittable for the model's faults, BrokenPromise
 // (naming the stage and the check) for ours, and Cancelled.
 
-/// `check` also warns where many edges are far from the stitch's size ("poor-fit") and of parts that
-/// no row could reach into ("part-left-out").
+/// `check` also warns where many edges are far from the stitch's size ("poor-fit"), of parts that
+/// no row could reach into ("part-left-out"), and of tubes that would have to cross, with the seams
+/// that would help ("seam-needed"); after cut_seams of each seam that there is ("seam").
 struct CheckedGraph {
   KnitGraph graph;
   KnitGraphCheck check;  ///< without errors
   KnitGraphStats stats;
+  std::vector<Seam> seams;  ///< along which the graph is cut
 };
 CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>& time,
                               const RemeshOptions& options, RunContext* run = nullptr);
+
+/// For a user who will sew: the graph with the seams that it needs (tracing/seams.h), as it was if it
+/// needs none or none would help.
+CheckedGraph cut_seams(CheckedGraph graph);
 
 /// With no more yarns at once than the machine has carriers for, if an order of rows allows that.
 StitchTrace build_trace(const KnitGraph& graph, const MachineProfile& profile,
@@ -48,8 +55,10 @@ struct CheckedKnitout {
   VerifyReport check;    ///< ok
   ProgramCost cost;      ///< with a .kc file the minutes are those of all its sweeps
 };
+/// The sheet tells of the seams that the traced graph is cut along.
 /// Throws, too: InvalidInput if the profile begins programs with settings that its machine has not.
 CheckedKnitout build_knitout(const StitchTrace& trace, const Schedule& schedule,
-                             const MachineProfile& profile, RunContext* run = nullptr);
+                             const MachineProfile& profile, RunContext* run = nullptr,
+                             const std::vector<Seam>& seams = {});
 
 }  // namespace meshknit

@@ -7,6 +7,8 @@
 
 #include "meshknit/knitout/knitout_reader.h"
 #include "meshknit/pipeline/knit_parts.h"
+#include "meshknit/pipeline/part_seams.h"
+#include "meshknit/pipeline/seam_problems.h"
 
 namespace meshknit {
 namespace {
@@ -27,18 +29,22 @@ std::string joined(const std::vector<std::string>& words) {
 
 class Sheet {
  public:
-  Sheet(const StitchTrace& trace, const CheckedKnitout& file, const MachineProfile& profile)
+  Sheet(const StitchTrace& trace, const CheckedKnitout& file, const MachineProfile& profile,
+        const std::vector<Seam>& seams)
       : trace_(trace),
         file_(file),
         profile_(profile),
+        seams_(seams),
         program_(read_knitout(file.text).program),
-        parts_(find_parts(program_, trace, profile)) {}
+        parts_(find_parts(program_, trace, profile)),
+        sewn_(find_part_seams(seams, parts_, program_, trace)) {}
 
   std::string write() {
     machine();
     carriers();
     parts();
     finishing();
+    if (!sewn_.empty()) sewing();
     warnings();
     return std::move(text_);
   }
@@ -141,13 +147,11 @@ class Sheet {
         line("  Below " + part + " " +
              (draw ? "pull the draw thread" : "cut the waste and pull it out") + "; " +
              several(parts_[p].starts, "loop") +
-             " of the object come free: bind them off, or "
-             "sew the opening shut.");
+             " of the object come free: " + what_to_do(is_sewn(p, &PartSeam::upper)));
       if (parts_[p].ends > 0)
         line("  Above " + part + " unravel the waste down to the object; " +
              several(parts_[p].ends, "loop") +
-             " come free: bind them off, or sew the opening "
-             "shut.");
+             " come free: " + what_to_do(is_sewn(p, &PartSeam::lower)));
     }
     line("  Cut the yarn wherever a carrier went away or came back, and weave in " +
          several(2 * trace_.yarns, "end") + ".");
@@ -155,7 +159,34 @@ class Sheet {
       line(
           "  Carriers come from the left: the ends of parts further right run through those "
           "left of them. Cut them there.");
-    if (parts_.size() > 1) line("  Parts are joined where they part and meet: no seams.");
+    if (parts_.size() > 1)
+      line(std::string("  Parts are joined where they part and meet: ") +
+           (sewn_.empty() ? "no seams." : "no seams but those below."));
+  }
+
+  bool is_sewn(std::size_t part, int PartSeam::*side) const {
+    return std::any_of(sewn_.begin(), sewn_.end(), [&](const PartSeam& seam) {
+      return seam.*side == static_cast<int>(part);
+    });
+  }
+
+  static std::string what_to_do(bool sewn) {
+    return sewn ? "keep them on a thread, to be sewn."
+                : "bind them off, or sew the opening shut.";
+  }
+
+  void sewing() {
+    heading("To sew");
+    for (std::size_t i = 0; i < sewn_.size(); ++i) {
+      const PartSeam& seam = sewn_[i];
+      line("  The end of part " + std::to_string(seam.lower + 1) + ", " +
+           several(seam.lower_loops, "loop") + ", to the beginning of part " +
+           std::to_string(seam.upper + 1) + ", " + several(seam.upper_loops, "loop") +
+           ": round the tube at " + place_of(seams_[i]) +
+           " on the object. Begin with the loop that is made in line " +
+           std::to_string(seam.lower_line) + " and the one of line " +
+           std::to_string(seam.upper_line) + ", and go round both the same way.");
+    }
   }
 
   void warnings() {
@@ -191,16 +222,18 @@ class Sheet {
   const StitchTrace& trace_;
   const CheckedKnitout& file_;
   const MachineProfile& profile_;
+  const std::vector<Seam>& seams_;
   Program program_;
   std::vector<KnitPart> parts_;
+  std::vector<PartSeam> sewn_;  // [seam]
   std::string text_;
 };
 
 }  // namespace
 
 std::string write_run_sheet(const StitchTrace& trace, const CheckedKnitout& file,
-                            const MachineProfile& profile) {
-  return Sheet(trace, file, profile).write();
+                            const MachineProfile& profile, const std::vector<Seam>& seams) {
+  return Sheet(trace, file, profile, seams).write();
 }
 
 }  // namespace meshknit

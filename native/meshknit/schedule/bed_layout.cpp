@@ -1,6 +1,7 @@
 #include "meshknit/schedule/bed_layout.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace meshknit {
 
@@ -27,6 +28,11 @@ std::vector<BedShape> bed_shapes(int slots) {
 
 bool is_aligned(const BedLayout& layout) {
   return layout.shape.left == 0 && 2 * layout.shape.front == layout.slots;
+}
+
+int longest_bridge(const BedLayout& layout) {
+  const int right = layout.shape.left + layout.slots - 2 * layout.shape.front;
+  return std::max(std::abs(2 * layout.shape.left + 1), std::abs(2 * right + 1));
 }
 
 Hook slot_hook(const BedLayout& layout, int slot) {

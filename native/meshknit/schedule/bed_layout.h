@@ -46,6 +46,11 @@ std::vector<BedShape> bed_shapes(int slots);
 /// True if both beds reach equally far at both ends.
 bool is_aligned(const BedLayout& layout);
 
+/// Needles that the yarn from bed to bed spans at the ends of the tube, the longer of the two; a
+/// racking adds to it. Half-gauge place n is one needle further right on the back bed: 1 where the
+/// back bed ends flush with the front or one place further left, 3 where it ends further right.
+int longest_bridge(const BedLayout& layout);
+
 /// The hook of a slot, 0 <= slot < layout.slots.
 Hook slot_hook(const BedLayout& layout, int slot);
 

@@ -22,7 +22,7 @@ struct Held {
 };
 using Row = std::vector<Held>;
 
-using OrderCost = std::array<long, 5>;  // a TubeCost summed up, and tubes that make room
+using OrderCost = std::array<long, 4>;  // a TubeCost summed up, and tubes that make room
 
 // The last choice of a way through the events, and the way before it.
 struct Choice {
@@ -209,8 +209,7 @@ class OrderSearch {
                       std::to_string(first_stitch(connection.whole)) + " would have to cross " +
                       others + ".";
     problem.remedy =
-        "Change the knitting times so that the tube between them ends first, or cut the object "
-        "open and sew a seam.";
+        "Change the knitting times so that the tube between them ends first, or allow seams.";
     between.insert(between.begin(), connection.parts.begin(), connection.parts.end());
     for (const int tube : between) {
       problem.elements.stitches.push_back(first_stitch(tube));

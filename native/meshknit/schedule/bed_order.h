@@ -8,9 +8,8 @@
 
 namespace meshknit {
 
-/// What a tube's layouts cost, compared lexicographically: rolls, places beyond reach, shifts,
-/// travel (layout_cost.h).
-using TubeCost = std::array<long, 4>;
+/// What a tube's layouts cost, compared lexicographically: passes, shifts, travel (layout_cost.h).
+using TubeCost = std::array<long, 3>;
 
 /// [which outer part is left at the connection below: 0 the first, 1 the last][the same above]. A tube without a
 /// connection on one side has the same cost twice.

@@ -13,6 +13,14 @@ PlaceRange unite(const PlaceRange& a, const PlaceRange& b) {
   return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest)};
 }
 
+// Places free between two tubes for either one's transfers. A front loop on the lowest place of a
+// room, or a back loop on its highest, would leave the planner none beside it (emit/step_transfers).
+int places_to_spare(const BedLayout& left, const BedLayout& right) {
+  const int left_back_end = left.place + left.shape.left + left.slots - left.shape.front - 1;
+  return std::min({places_between(left, right), right.place - places_of(left).highest - 1,
+                   places_of(right).lowest - left_back_end - 1});
+}
+
 }  // namespace
 
 std::size_t BedRow::row_of(int tube) const {
@@ -43,15 +51,19 @@ OffsetChoice BedRow::free_offsets(std::size_t row, const BedLayout& layout) cons
   OffsetChoice free{walls_.lowest - own.lowest, walls_.highest - own.highest, 0};
   if (const int left = neighbour(row, false); left >= 0)
     free.lowest =
-        std::max(free.lowest, kFreeBetween - places_between(hung_[left].layout, layout));
+        std::max(free.lowest, kFreeBetween - places_to_spare(hung_[left].layout, layout));
   if (const int right = neighbour(row, true); right >= 0)
     free.highest =
-        std::min(free.highest, places_between(layout, hung_[right].layout) - kFreeBetween);
+        std::min(free.highest, places_to_spare(layout, hung_[right].layout) - kFreeBetween);
   return free;
 }
 
 void BedRow::write_down(int tube, int step, const BedLayout& after) {
-  PlacedStep placed{tube, step, hung_[tube].layout, after, kAnywhere};
+  PlacedStep placed{tube, step, hung_[tube].layout, after, kAnywhere, 1};
+  for (const int other : order_)
+    if (other != tube && hung_[other].hangs)
+      placed.bridge_beside =
+          std::max(placed.bridge_beside, longest_bridge(hung_[other].layout));
   const std::size_t row = row_of(tube);
   if (const int left = neighbour(row, false); left >= 0)
     placed.room.lowest = places_of(hung_[left].layout).highest + 1;

@@ -44,7 +44,7 @@ struct ConnectionLayout {
 ///     front    x0 x1 x2 y0 y1 y2        whole: x0 x1 x2 y0 ... y5 x3 x4
 ///
 /// An even cycle is aligned, an odd one has its back bed flush with the front or one place further
-/// left, at both ends: such yarn bridges bear all rackings (layout_search.h).
+/// left, at both ends: such yarn bridges bear all rackings (longest_bridge, bed_layout.h).
 ConnectionLayout connection_layout(const Connection& connection, int left);
 
 }  // namespace meshknit

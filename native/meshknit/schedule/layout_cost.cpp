@@ -18,6 +18,14 @@ int place_of_turn(const BedLayout& layout, int turn) {
   return turn < layout.shape.front ? turn : layout.shape.left + layout.slots - 1 - turn;
 }
 
+// Place n of the back bed lies one needle right of place n of the front: a roll straight across, or
+// one place against that, takes a racking of 1, others take 3 or more.
+bool is_far_roll(Bed from, int way) { return way != 0 && way != (from == Bed::front ? -1 : 1); }
+
+Bed bed_of_turn(const BedLayout& layout, int turn) {
+  return turn < layout.shape.front ? Bed::front : Bed::back;
+}
+
 int turns_from_first(const BedLayout& layout, int slot) {
   const int turn = (slot - layout.first) % layout.slots;
   return turn < 0 ? turn + layout.slots : turn;
@@ -36,72 +44,90 @@ int count_rolls(const SlotMap& map, const BedLayout& before, const BedLayout& af
   return (end - begin) + (new_end - new_begin) - 2 * kept_on_front;
 }
 
-bool operator<(const ShiftCost& a, const ShiftCost& b) {
-  return std::tie(a.beyond, a.shift, a.travel) < std::tie(b.beyond, b.shift, b.travel);
+bool operator<(const MoveCost& a, const MoveCost& b) {
+  return std::tie(a.passes, a.shift, a.travel) < std::tie(b.passes, b.shift, b.travel);
 }
 
-ShiftCost operator+(const ShiftCost& a, const ShiftCost& b) {
-  return {a.beyond + b.beyond, a.shift + b.shift, a.travel + b.travel, a.offset + b.offset};
+MoveCost operator+(const MoveCost& a, const MoveCost& b) {
+  return {a.passes + b.passes, a.shift + b.shift, a.travel + b.travel, a.offset + b.offset};
 }
 
-void ShiftMeter::add(int by, int stacks) {
-  for (Moved& moved : moved_)
-    if (moved.by == by) {
-      moved.stacks += stacks;
+void MoveMeter::add(const Moved& moved) {
+  for (Moved& known : moved_)
+    if (known.from == moved.from && known.to == moved.to && known.way == moved.way) {
+      known.stacks += moved.stacks;
       return;
     }
-  moved_.push_back({by, stacks});
+  moved_.push_back(moved);
+}
+
+void MoveMeter::see_decrease(const SlotMap& map, const BedLayout& before,
+                             const BedLayout& after, int second) {
+  const int upper = map.direction() == Direction::anticlockwise ? second : second - 1;
+  const int from = turns_from_first(before, upper);
+  const int to = turns_from_first(after, map.slot_of(upper));
+  if (bed_of_turn(before, from) == bed_of_turn(after, to))
+    upper_ways_.push_back(place_of_turn(after, to) - place_of_turn(before, from));
 }
 
 // Stacks of one run that stay on their bed all move alike; only those that change beds are
 // looked at one by one.
-void ShiftMeter::collect(const SlotMap& map, const BedLayout& before, const BedLayout& after) {
+void MoveMeter::collect(const SlotMap& map, const BedLayout& before, const BedLayout& after) {
   moved_.clear();
+  upper_ways_.clear();
   const int n = map.stacks(), front_end = before.first + before.shape.front;
   for (int stack = before.first; stack < before.first + n;) {
     const int slot = map.slot_of(stack);
     const int turn = turns_from_first(after, slot);
-    const bool was_front = stack < front_end, is_front = turn < after.shape.front;
-    const int bed_end = slot - turn + (is_front ? after.shape.front : after.slots);
+    const Bed from = stack < front_end ? Bed::front : Bed::back, to = bed_of_turn(after, turn);
+    const int bed_end = slot - turn + (to == Bed::front ? after.shape.front : after.slots);
     int end = std::min(map.run_end(stack), map.first_stack(bed_end));
-    end = std::min(end, was_front ? front_end : before.first + n);
-    if (was_front == is_front) {
-      add(place_of_turn(after, turn) - place_of_turn(before, stack - before.first),
-          end - stack);
+    end = std::min(end, from == Bed::front ? front_end : before.first + n);
+    if (map.slot_of(stack - 1) == slot) see_decrease(map, before, after, stack);
+    const int way = place_of_turn(after, turn) - place_of_turn(before, stack - before.first);
+    if (from == to) {
+      add({from, to, way, end - stack});
     } else {
-      for (int i = 0; i < end - stack; ++i)
-        add(place_of_turn(after, turn + i) - place_of_turn(before, stack - before.first + i),
-            1);
+      // Those that come after it go two places less, or more, each: the beds run opposite ways.
+      const int turned = to == Bed::front ? 2 : -2;
+      for (int i = 0; i < end - stack; ++i) add({from, to, way + i * turned, 1});
     }
     stack = end;
   }
 }
 
-ShiftCost ShiftMeter::cost_of(int offset) const {
-  ShiftCost cost;
+MoveCost MoveMeter::cost_of(int offset) const {
+  MoveCost cost;
   cost.offset = offset;
+  bool lifted = false, far_roll = false;
   for (const Moved& moved : moved_) {
-    const int places = std::abs(moved.by + offset);
-    cost.beyond += static_cast<long>(std::max(0, places - kReach)) * moved.stacks;
+    const int places = std::abs(moved.way + offset);
+    const bool rolls = moved.from != moved.to;
+    cost.passes += (rolls || places > 0 ? 1 : 0) + 2 * std::max(0, places - kReach);
+    lifted = lifted || (!rolls && places > 0);
+    far_roll = far_roll || (rolls && is_far_roll(moved.from, moved.way + offset));
     cost.shift += places > 0 ? moved.stacks : 0;
     cost.travel += static_cast<long>(places) * moved.stacks;
   }
+  cost.passes += lifted ? 1 : far_roll ? 2 : 0;
+  if (std::count(upper_ways_.begin(), upper_ways_.end(), -offset) > 0)
+    cost.passes += lifted ? 1 : 2;
   return cost;
 }
 
-ShiftCost ShiftMeter::measure(const SlotMap& map, const BedLayout& before,
-                              const BedLayout& after, const OffsetChoice& choice) {
+MoveCost MoveMeter::measure(const SlotMap& map, const BedLayout& before, const BedLayout& after,
+                            const OffsetChoice& choice) {
   collect(map, before, after);
-  int least = moved_.front().by, most = least;
+  int least = moved_.front().way, most = least;
   for (const Moved& moved : moved_) {
-    least = std::min(least, moved.by);
-    most = std::max(most, moved.by);
+    least = std::min(least, moved.way);
+    most = std::max(most, moved.way);
   }
   const int begin = std::clamp(-most, choice.lowest, choice.highest);
   const int end = std::clamp(-least, choice.lowest, choice.highest);
-  ShiftCost best = cost_of(begin);
+  MoveCost best = cost_of(begin);
   for (int offset = begin + 1; offset <= end; ++offset) {
-    const ShiftCost cost = cost_of(offset);
+    const MoveCost cost = cost_of(offset);
     const bool equal = !(cost < best) && !(best < cost);
     if (cost < best ||
         (equal && std::abs(offset - choice.liked) < std::abs(best.offset - choice.liked)))

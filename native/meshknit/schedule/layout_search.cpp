@@ -10,90 +10,115 @@ namespace meshknit {
 namespace {
 
 struct Reached {
-  ShiftCost cost;
+  MoveCost cost;
   int from = -1;  // layout of the cycle before; -1: none
   bool reached = false;
 };
+
+/// The layouts of one cycle: shape by shape, each with every first slot.
+class Cycle {
+ public:
+  Cycle(int slots, bool narrow) : slots_(slots) {
+    for (const BedShape& shape : bed_shapes(slots)) {
+      const BedLayout layout{slots, 0, shape, 0};
+      const bool is_narrow = slots % 2 == 0 ? is_aligned(layout) : longest_bridge(layout) == 1;
+      if (!narrow || is_narrow) shapes_.push_back(shape);
+    }
+  }
+
+  int layouts() const { return static_cast<int>(shapes_.size()) * slots_; }
+  BedLayout layout(int number) const {
+    return {slots_, number % slots_, shapes_[number / slots_], 0};
+  }
+  /// Calls visit(number) for every layout of this split.
+  template <typename Visit>
+  void for_each(const BedLayout& split, Visit visit) const {
+    for (std::size_t shape = 0; shape < shapes_.size(); ++shape)
+      if (shapes_[shape].front == split.shape.front)
+        visit(static_cast<int>(shape) * slots_ + split.first);
+  }
+
+ private:
+  std::vector<BedShape> shapes_;
+  int slots_;
+};
+
+bool may_be(const std::optional<BedLayout>& wanted, const BedLayout& layout) {
+  return !wanted ||
+         (wanted->first == layout.first && wanted->shape.front == layout.shape.front &&
+          wanted->shape.left == layout.shape.left);
+}
+
+std::vector<BedSplits> splits_of(int slots, const std::vector<SlotMap>& maps) {
+  std::vector<BedSplits> splits;
+  splits.reserve(maps.size() + 1);
+  splits.emplace_back(slots);
+  for (const SlotMap& map : maps) splits.emplace_back(map.slots());
+  return splits;
+}
+
+SplitEnds split_ends(const std::vector<BedSplits>& splits, const LayoutLimits& limits) {
+  const auto split_of = [](const std::optional<BedLayout>& layout, const BedSplits& of) {
+    return layout ? of.number_of(*layout) : -1;
+  };
+  return {split_of(limits.first, splits.front()), split_of(limits.last, splits.back())};
+}
 
 class LayoutSearch {
  public:
   LayoutSearch(int slots, const std::vector<SlotMap>& maps, const LayoutLimits& limits,
                RunContext* run)
       : maps_(maps), limits_(limits), run_(run) {
-    splits_.reserve(maps.size() + 1);
-    splits_.emplace_back(slots);
-    for (const SlotMap& map : maps) splits_.emplace_back(map.slots());
+    splits_ = splits_of(slots, maps);
+    for (const BedSplits& splits : splits_) cycles_.emplace_back(splits.slots(), limits.narrow);
   }
 
   FoundLayouts run() {
-    const RollTable rolls = search_rolls(
-        splits_, maps_,
-        {split_of(limits_.first, splits_.front()), split_of(limits_.last, splits_.back())},
-        run_);
-    from_.assign(splits_.size(), {});
-    std::vector<Reached> reached(splits_[0].size() * flushes(splits_[0].slots()));
+    const RollTable rolls = search_rolls(splits_, maps_, split_ends(splits_, limits_), run_);
+    most_at_once_ = kRollsAtOnce;
+    if (!maps_.empty()) most_at_once_ += rolls.fewest / static_cast<int>(maps_.size());
+    for (;; most_at_once_ *= 2)
+      if (const std::optional<FoundLayouts> found = search(rolls)) return *found;
+  }
+
+ private:
+  std::optional<FoundLayouts> search(const RollTable& rolls) {
+    from_.assign(cycles_.size(), {});
+    std::vector<Reached> reached(cycles_[0].layouts());
     for (size_t i = 0; i < reached.size(); ++i)
-      reached[i].reached = may_be(limits_.first, splits_.front(), static_cast<int>(i));
+      reached[i].reached = may_be(limits_.first, cycles_[0].layout(static_cast<int>(i)));
     for (size_t i = 0; i < maps_.size(); ++i) {
       report(run_, static_cast<double>(i) / static_cast<double>(maps_.size()));
       reached = advance(i, reached, rolls);
     }
-    return walk_back(reached, rolls);
-  }
-
- private:
-  // The layouts of one split that can be best: aligned for N even, flush at the left or at the
-  // right for N odd.
-  int flushes(int slots) const { return slots % 2 == 0 || limits_.beside_others ? 1 : 2; }
-
-  BedLayout flush_layout(const BedSplits& splits, int split, int flush) const {
-    BedLayout layout = splits.layout(split);
-    const bool odd = layout.slots % 2 != 0, more_front = 2 * layout.shape.front > layout.slots;
-    if (limits_.beside_others) {
-      layout.shape.left = odd && !more_front ? -1 : 0;
-    } else if (flush == 1) {
-      layout.shape.left = more_front ? 1 : -1;
-    }
-    return layout;
-  }
-
-  static int split_of(const std::optional<BedLayout>& layout, const BedSplits& splits) {
-    return layout ? splits.number_of(*layout) : -1;
-  }
-
-  // True if an end of the tube may have this layout.
-  bool may_be(const std::optional<BedLayout>& wanted, const BedSplits& splits,
-              int layout) const {
-    if (!wanted) return true;
-    const int ways = flushes(splits.slots());
-    return layout / ways == splits.number_of(*wanted) &&
-           flush_layout(splits, layout / ways, layout % ways).shape.left == wanted->shape.left;
+    return walk_back(reached);
   }
 
   std::vector<Reached> advance(size_t i, const std::vector<Reached>& here,
                                const RollTable& rolls) {
     const BedSplits &before = splits_[i], &after = splits_[i + 1];
-    const int ways = flushes(before.slots()), next_ways = flushes(after.slots());
-    std::vector<Reached> next(after.size() * next_ways);
+    std::vector<Reached> next(cycles_[i + 1].layouts());
     const std::vector<int>& to_end = rolls.to_end[i + 1];
     const int least_left = *std::min_element(to_end.begin(), to_end.end());
     for (int split = 0; split < before.size(); ++split) {
-      if (!rolls.on_best_way(static_cast<int>(i), split)) continue;
-      const int left = rolls.to_end[i][split];
+      const int left = rolls.fewest + kMoreRolls - rolls.from_start[i][split];
+      if (left < rolls.to_end[i][split]) continue;
+      const BedLayout from_split = before.layout(split);
       for_each_split_within(
-          maps_[i], before.layout(split), after, left - least_left, [&](int to, int cost) {
-            if (cost + to_end[to] != left) return;
-            for (int way = 0; way < ways; ++way)
-              for (int next_way = 0; next_way < next_ways; ++next_way) {
-                const int from = split * ways + way;
-                if (!here[from].reached) continue;
-                const ShiftCost total =
-                    here[from].cost + meter_.measure(maps_[i], flush_layout(before, split, way),
-                                                     flush_layout(after, to, next_way));
-                Reached& candidate = next[to * next_ways + next_way];
-                if (candidate.reached && !(total < candidate.cost)) continue;
-                candidate = {total, from, true};
-              }
+          maps_[i], from_split, after, std::min(left - least_left, most_at_once_),
+          [&](int to_split, int cost) {
+            if (cost + to_end[to_split] > left) return;
+            cycles_[i].for_each(from_split, [&](int from) {
+              if (!here[from].reached) return;
+              cycles_[i + 1].for_each(after.layout(to_split), [&](int to) {
+                if (next[to].reached && next[to].cost < here[from].cost) return;
+                const MoveCost total =
+                    here[from].cost + meter_.measure(maps_[i], cycles_[i].layout(from),
+                                                     cycles_[i + 1].layout(to));
+                if (next[to].reached && !(total < next[to].cost)) return;
+                next[to] = {total, from, true};
+              });
+            });
           });
     }
     from_[i + 1].reserve(next.size());
@@ -101,22 +126,19 @@ class LayoutSearch {
     return next;
   }
 
-  FoundLayouts walk_back(const std::vector<Reached>& last, const RollTable& rolls) const {
-    const int end = static_cast<int>(splits_.size()) - 1;
+  std::optional<FoundLayouts> walk_back(const std::vector<Reached>& last) const {
+    const int end = static_cast<int>(cycles_.size()) - 1;
     int best = -1;
-    const int ways = flushes(splits_[end].slots());
     for (int layout = 0; layout < static_cast<int>(last.size()); ++layout)
-      if (last[layout].reached && may_be(limits_.last, splits_[end], layout) &&
-          rolls.on_best_way(end, layout / ways) &&
+      if (last[layout].reached && may_be(limits_.last, cycles_[end].layout(layout)) &&
           (best < 0 || last[layout].cost < last[best].cost))
         best = layout;
+    if (best < 0) return std::nullopt;
     FoundLayouts result;
-    result.rolls = rolls.fewest;
-    result.moves = last[best].cost;
-    result.layouts.resize(splits_.size());
+    result.cost = last[best].cost;
+    result.layouts.resize(cycles_.size());
     for (int i = end; i >= 0; --i) {
-      const int of_split = flushes(splits_[i].slots());
-      result.layouts[i] = flush_layout(splits_[i], best / of_split, best % of_split);
+      result.layouts[i] = cycles_[i].layout(best);
       if (i > 0) best = from_[i][best];
     }
     return result;
@@ -126,8 +148,10 @@ class LayoutSearch {
   const LayoutLimits& limits_;
   RunContext* run_;
   std::vector<BedSplits> splits_;
+  std::vector<Cycle> cycles_;
   std::vector<std::vector<int>> from_;
-  ShiftMeter meter_;
+  MoveMeter meter_;
+  int most_at_once_ = 0;  // rolls
 };
 
 }  // namespace
@@ -135,6 +159,12 @@ class LayoutSearch {
 FoundLayouts search_layouts(int slots, const std::vector<SlotMap>& maps,
                             const LayoutLimits& limits, RunContext* run) {
   return LayoutSearch(slots, maps, limits, run).run();
+}
+
+long fewest_rolls(int slots, const std::vector<SlotMap>& maps, const LayoutLimits& limits,
+                  RunContext* run) {
+  const std::vector<BedSplits> splits = splits_of(slots, maps);
+  return search_rolls(splits, maps, split_ends(splits, limits), run).fewest;
 }
 
 }  // namespace meshknit

@@ -133,7 +133,7 @@ class BedWalk {
     choice.liked = liked_offset(tube, row, places_of(next), choice);
     if (changes) {
       const SlotMap& map = own.maps[change];
-      const ShiftCost cost = meter_.measure(map, before, next, choice);
+      const MoveCost cost = meter_.measure(map, before, next, choice);
       best_moves_ = best_moves_ && !(meter_.measure(map, before, next) < cost);
       next.place += cost.offset;
       ++changes_[tube];
@@ -170,7 +170,7 @@ class BedWalk {
   BedRow bed_;
   std::vector<int> changes_;  // [tube] of its layout so far
   size_t turn_ = 0;
-  ShiftMeter meter_;
+  MoveMeter meter_;
   bool best_moves_ = true;
 };
 

@@ -33,7 +33,8 @@ struct PlacedStep {
   int tube = 0;
   int step = -1;  ///< of the tube; -1: the tube is only moved
   BedLayout before, after;
-  PlaceRange room;  ///< from one neighbour to the other: what transfers may use
+  PlaceRange room;        ///< from one neighbour to the other: what transfers may use
+  int bridge_beside = 1;  ///< longest_bridge of the tubes beside it
 };
 
 struct PlacedTubes {

@@ -1,6 +1,5 @@
 #include "meshknit/schedule/roll_search.h"
 
-#include <cstdlib>
 #include <utility>
 
 #include "meshknit/core/error.h"
@@ -97,9 +96,8 @@ class SplitDistance {
 
 BedSplits::BedSplits(int slots) : slots_(slots) {
   for (const BedShape& shape : bed_shapes(slots)) {
-    const bool balanced = std::abs(slots - 2 * shape.front) <= 1;
     const bool known = std::find(front_.begin(), front_.end(), shape.front) != front_.end();
-    if (balanced && !known) front_.push_back(shape.front);
+    if (!known) front_.push_back(shape.front);
   }
 }
 

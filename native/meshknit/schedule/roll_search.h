@@ -10,8 +10,9 @@
 
 namespace meshknit {
 
-/// The ways to split a cycle between the beds, as balanced as can be: for each number of front
-/// slots (one for N even, two for N odd) and each first slot one split, numbered in that order.
+/// The ways to split a cycle between the beds: for each number of front slots that a shape has
+/// (bed_layout.h; three for N even, two for N odd) and each first slot one split, numbered in that
+/// order.
 class BedSplits {
  public:
   explicit BedSplits(int slots);
@@ -19,12 +20,12 @@ class BedSplits {
   int fronts() const { return static_cast<int>(front_.size()); }
   int size() const { return fronts() * slots_; }
   int number(int front_index, int first) const { return front_index * slots_ + first; }
-  /// The split of a layout of balanced beds.
+  /// The split of a layout.
   int number_of(const BedLayout& layout) const {
     const auto front = std::find(front_.begin(), front_.end(), layout.shape.front);
     return number(static_cast<int>(front - front_.begin()), layout.first);
   }
-  /// The split as a layout, its back bed flush with the front bed on the left.
+  /// The split as a layout, whatever its ends.
   BedLayout layout(int number) const {
     return {slots_, number % slots_, {front_[number / slots_], 0}, 0};
   }
@@ -39,11 +40,11 @@ class BedSplits {
 template <typename Visit>
 void for_each_split_within(const SlotMap& map, const BedLayout& before, const BedSplits& after,
                            int most, Visit visit) {
-  // Beds of balanced size can only exchange r stacks in all if the left end of the front bed
-  // moves by at most r.
-  const int begin = map.slot_of(before.first - most - 1) + 1;
+  // r rolls move the left end of the front bed by at most r, unless all of one bed goes.
   const int all = after.slots();
-  const int end = std::min(map.slot_of(before.first + most) + 1, begin + all);
+  const bool any = most >= std::min(before.shape.front, before.slots - before.shape.front);
+  const int begin = any ? 0 : map.slot_of(before.first - most - 1) + 1;
+  const int end = any ? all : std::min(map.slot_of(before.first + most) + 1, begin + all);
   for (int front = 0; front < after.fronts(); ++front)
     for (int slot = begin; slot < end; ++slot) {
       const int first = ((slot % all) + all) % all;
@@ -58,10 +59,6 @@ struct RollTable {
   std::vector<std::vector<int>> from_start;  ///< [cycle][split]
   std::vector<std::vector<int>> to_end;      ///< [cycle][split]
   int fewest = 0;
-
-  bool on_best_way(int cycle, int split) const {
-    return from_start[cycle][split] + to_end[cycle][split] == fewest;
-  }
 };
 
 /// Splits that the ends of the way must have; -1 for any.

@@ -139,4 +139,12 @@ void refuse_too_wide(const StitchTrace& trace, const SteppedTubes& tubes, const 
   throw NotKnittable({problem});
 }
 
+bool is_tight(const SteppedTubes& tubes, const BedOrder& order, const MachineProfile& profile) {
+  int turn = 0;
+  const std::vector<Held> widest = widest_moment(tubes, order, turn);
+  const PlaceRange usable = usable_places(profile);
+  return places_for(widest) + 2 * static_cast<int>(widest.size()) >
+         usable.highest - usable.lowest + 1;
+}
+
 }  // namespace meshknit

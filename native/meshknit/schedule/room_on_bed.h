@@ -18,4 +18,8 @@ void refuse_tall_stacks(const StitchTrace& trace, const SteppedTubes& tubes,
 void refuse_too_wide(const StitchTrace& trace, const SteppedTubes& tubes, const BedOrder& order,
                      const MachineProfile& profile);
 
+/// True if tubes fit side by side only in narrow layouts (layout_search.h): others are up to a
+/// place wider, and need one more beside them.
+bool is_tight(const SteppedTubes& tubes, const BedOrder& order, const MachineProfile& profile);
+
 }  // namespace meshknit

@@ -59,6 +59,7 @@ class Assembly {
     step.before_hooks = hooks_of(placed.before);
     step.lowest_place = placed.room.lowest;
     step.highest_place = placed.room.highest;
+    step.bridge_beside = placed.bridge_beside;
     schedule_.steps.push_back(std::move(step));
     count_cost(placed);
     if (moves_only) return;
@@ -88,7 +89,7 @@ class Assembly {
   const SteppedTubes& tubes_;
   std::vector<int> done_;  // [tube] steps
   int next_stitch_ = 0;
-  ShiftMeter meter_;
+  MoveMeter meter_;
   Schedule schedule_;
 };
 
@@ -104,13 +105,15 @@ Schedule schedule_stitches(const StitchTrace& trace, const MachineProfile& profi
   LayoutChoices choices(tubes, connections);
   const BedOrder order = choose_order(trace, tubes, connections, choices.costs(run));
   refuse_too_wide(trace, tubes, order, profile);
-  const std::vector<TubeLayouts> layouts = choices.layouts(order, run);
+  const bool tight = is_tight(tubes, order, profile);
+  const std::vector<TubeLayouts> layouts = choices.layouts(order, tight, run);
   const PlacedTubes placed = place_tubes(tubes, connections, order, layouts, profile);
 
   Assembly assembly(tubes);
   for (const PlacedStep& step : placed.steps) assembly.add(step);
   Schedule schedule = assembly.take();
-  schedule.optimal = order.optimal && placed.optimal;
+  schedule.optimal_order = order.optimal;
+  schedule.optimal_moves = placed.optimal;
   schedule.segments = static_cast<int>(tubes.tubes.size());
   schedule.connections = static_cast<int>(connections.size());
   report(run, 1.0);

@@ -49,6 +49,9 @@ struct ScheduleStep {
   std::vector<Hook> second_loop_hooks;  ///< of increases; otherwise the stitch's own hook
   /// Half-gauge places, inclusive, that no other tube uses: room for the transfers.
   int lowest_place = 0, highest_place = 0;
+  /// Needles of the longest yarn between the beds on tubes beside it: what a racking adds must not
+  /// stretch it too far.
+  int bridge_beside = 1;
 };
 
 /// A tube that no other takes over: what it leaves on the machine after its last step, to be bound
@@ -60,7 +63,7 @@ struct TubeEnd {
   std::vector<Hook> hooks;
 };
 
-/// Lexicographic cost of the paper's section 3.4, summed over steps.
+/// What the paper's section 3.4 counts, summed over steps.
 struct LayoutCost {
   long alignment = 0, roll = 0, shift = 0;
 };
@@ -69,28 +72,28 @@ struct Schedule {
   std::vector<ScheduleStep> steps;
   std::vector<TubeEnd> ends;  ///< in the order of their steps
   LayoutCost cost;
-  bool optimal = true;
+  bool optimal_order = true;  ///< no order of the tubes on the bed costs less
+  bool optimal_moves = true;  ///< no tube moved otherwise than is best for it, to keep room
+  bool optimal() const { return optimal_order && optimal_moves; }
   int segments = 0, connections = 0;
 };
 
 /// Lays the traced stitches on the beds (paper, section 3.4):
 ///  - the tubes side by side in an order in which none has to cross another (bed_order.h);
-///  - per step the layout among the 4N (N odd) or 5N (N even) that minimises alignment, then roll,
-///    then shift, over all tubes; where tubes part or meet the layout fits all three of them
-///    (connections.h);
+///  - per step the layout among the 4N (N odd) or 5N (N even) that takes fewest passes, then
+///    shifts, over all tubes (layout_search.h says why not alignment first); where tubes part or
+///    meet the layout fits all three of them (connections.h);
 ///  - horizontal offsets so that all places lie on the machine's needles, and tubes that hang at
 ///    the same time have a place between them (needle_offsets.h).
-/// A stack counts as one loop. Layouts are compared at the offset that moves fewest loops; but
-/// moves by more than two places, which no single racking makes, are avoided before shifts. Tubes
-/// that hang beside others keep to layouts that bear their rackings (layout_search.h).
+/// A stack counts as one loop. Layouts are compared at the offset of least cost (layout_cost.h).
 /// Requires: check_trace finds nothing for the trace.
 /// Throws: NotKnittable "too-wide" naming the widest rows' nodes and the largest scale that fits;
 /// "too-narrow" for a row of fewer than two loops; "stack-too-high" naming the nodes where tucks
 /// and decreases pile up more loops than a needle holds; "tubes-cross", "tubes-not-side-by-side",
 /// "loops-apart" (bed_order.h, connections.h, tube_steps.h); Cancelled.
-/// Ensures: check_schedule(trace, result, profile) finds nothing. `optimal` is false if not all
-/// orders of the tubes could be tried, or if tubes would walk off the bed or into each other and
-/// some moves had to be worse than their best.
+/// Ensures: check_schedule(trace, result, profile) finds nothing. Not optimal is the order if not all
+/// orders of the tubes could be tried, and the moves if tubes would walk off the bed or into each
+/// other and some had to be worse than their best.
 Schedule schedule_stitches(const StitchTrace& trace, const MachineProfile& profile,
                            RunContext* run = nullptr);
 

@@ -17,8 +17,8 @@ Turns unwrap(int index, int period) {
 
 }  // namespace
 
-SlotMap::SlotMap(std::vector<int> slot_of_stack, int slots)
-    : slot_(std::move(slot_of_stack)), slots_(slots) {
+SlotMap::SlotMap(std::vector<int> slot_of_stack, int slots, Direction direction)
+    : slot_(std::move(slot_of_stack)), slots_(slots), direction_(direction) {
   const int stacks_count = stacks();
   run_end_.resize(slot_.size());
   for (int i = stacks_count - 1; i >= 0; --i) {

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "meshknit/tracing/stitch.h"
+
 namespace meshknit {
 
 /// How the stacks of a tube go to the slots of the next step: stack i, counted anticlockwise,
@@ -11,11 +13,15 @@ namespace meshknit {
 class SlotMap {
  public:
   SlotMap() = default;
-  /// `slot_of_stack` never falls, and rises by at most `slots` from first to last.
-  SlotMap(std::vector<int> slot_of_stack, int slots);
+  /// `slot_of_stack` never falls, and rises by at most `slots` from first to last. `direction` is the
+  /// step's.
+  SlotMap(std::vector<int> slot_of_stack, int slots,
+          Direction direction = Direction::anticlockwise);
 
   int stacks() const { return static_cast<int>(slot_.size()); }
   int slots() const { return slots_; }
+  /// Of two decreased stacks the one that this direction meets first must lie below.
+  Direction direction() const { return direction_; }
   /// True if every stack keeps its number: the step neither increases nor decreases.
   bool is_identity() const { return identity_; }
 
@@ -29,6 +35,7 @@ class SlotMap {
  private:
   std::vector<int> slot_, first_, run_end_;
   int slots_ = 0;
+  Direction direction_ = Direction::anticlockwise;
   bool identity_ = false;
 };
 

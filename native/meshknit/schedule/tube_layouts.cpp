@@ -1,9 +1,16 @@
 #include "meshknit/schedule/tube_layouts.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace meshknit {
 namespace {
+
+// Rolls more than needed at which it hardly matters what else a tube's layouts cost, and about what
+// each of them does.
+constexpr long kFarTurned = 12;
+constexpr long kPassesPerRoll = 3;
 
 // The layout that a connection gives to a tube.
 BedLayout layout_at(const Connection& connection, int left, int tube) {
@@ -21,7 +28,8 @@ LayoutChoices::LayoutChoices(const SteppedTubes& tubes,
       connections_(connections),
       below_(tubes.tubes.size(), -1),
       above_(tubes.tubes.size(), -1),
-      shaping_(tubes.tubes.size()) {
+      shaping_(tubes.tubes.size()),
+      found_(tubes.tubes.size()) {
   for (int c = 0; c < static_cast<int>(connections.size()); ++c) {
     const Connection& connection = connections[c];
     (connection.split ? above_ : below_)[connection.whole] = c;
@@ -39,42 +47,82 @@ LayoutChoices::LayoutChoices(const SteppedTubes& tubes,
   }
 }
 
-FoundLayouts LayoutChoices::search(int tube, int left_below, int left_above,
-                                   RunContext* run) const {
+LayoutLimits LayoutChoices::limits(int tube, int left_below, int left_above) const {
   LayoutLimits limits;
-  limits.beside_others = tubes_.tubes.size() > 1;
   if (below_[tube] >= 0) limits.first = layout_at(connections_[below_[tube]], left_below, tube);
   if (above_[tube] >= 0) limits.last = layout_at(connections_[above_[tube]], left_above, tube);
-  const int slots = static_cast<int>(tubes_.tubes[tube].steps.front().before.size());
-  return search_layouts(slots, shaping_[tube].maps, limits, run);
+  return limits;
 }
 
-std::vector<TubeCosts> LayoutChoices::costs(RunContext* run) const {
-  std::vector<TubeCosts> costs(tubes_.tubes.size(), TubeCosts{});
-  if (connections_.empty()) return costs;
-  for (int t = 0; t < static_cast<int>(costs.size()); ++t)
-    for (const int below : {0, 1})
-      for (const int above : {0, 1}) {
-        // A free end is the same either way.
-        if ((below == 1 && below_[t] < 0) || (above == 1 && above_[t] < 0)) {
-          costs[t][below][above] =
-              costs[t][below_[t] < 0 ? 0 : below][above_[t] < 0 ? 0 : above];
-          continue;
-        }
-        const FoundLayouts found = search(t, below, above, run);
-        costs[t][below][above] = {found.rolls, found.moves.beyond, found.moves.shift,
-                                  found.moves.travel};
-      }
+int LayoutChoices::first_slots(int tube) const {
+  return static_cast<int>(tubes_.tubes[tube].steps.front().before.size());
+}
+
+const FoundLayouts& LayoutChoices::found(int tube, int left_below, int left_above,
+                                         RunContext* run) {
+  std::optional<FoundLayouts>& known = found_[tube][left_below][left_above];
+  if (!known)
+    known = search_layouts(first_slots(tube), shaping_[tube].maps,
+                           limits(tube, left_below, left_above), run);
+  return *known;
+}
+
+TubeCosts LayoutChoices::costs_of(int tube, RunContext* run) {
+  const std::vector<SlotMap>& maps = shaping_[tube].maps;
+  const int slots = first_slots(tube);
+  // A free end is the same either way.
+  const int ways_below = below_[tube] < 0 ? 1 : 2, ways_above = above_[tube] < 0 ? 1 : 2;
+  std::array<std::array<long, 2>, 2> rolls{};
+  long fewest = std::numeric_limits<long>::max(), least = fewest;
+  const auto for_each_way = [&](auto visit) {
+    for (int below = 0; below < ways_below; ++below)
+      for (int above = 0; above < ways_above; ++above) visit(below, above);
+  };
+  for_each_way([&](int below, int above) {
+    rolls[below][above] = fewest_rolls(slots, maps, limits(tube, below, above), run);
+    fewest = std::min(fewest, rolls[below][above]);
+  });
+  TubeCosts costs{};
+  for_each_way([&](int below, int above) {
+    if (rolls[below][above] > fewest + kFarTurned) return;
+    const MoveCost& cost = found(tube, below, above, run).cost;
+    costs[below][above] = {cost.passes, cost.shift, cost.travel};
+    least = std::min(least, cost.passes);
+  });
+  for_each_way([&](int below, int above) {
+    const long more = rolls[below][above] - fewest;
+    if (more > kFarTurned) costs[below][above] = {least + kPassesPerRoll * more, 0, 0};
+  });
+  for (const int below : {0, 1})
+    for (const int above : {0, 1})
+      costs[below][above] =
+          costs[std::min(below, ways_below - 1)][std::min(above, ways_above - 1)];
   return costs;
 }
 
-std::vector<TubeLayouts> LayoutChoices::layouts(const BedOrder& order, RunContext* run) const {
+std::vector<TubeCosts> LayoutChoices::costs(RunContext* run) {
+  std::vector<TubeCosts> costs(tubes_.tubes.size(), TubeCosts{});
+  if (connections_.empty()) return costs;
+  for (int t = 0; t < static_cast<int>(costs.size()); ++t) costs[t] = costs_of(t, run);
+  return costs;
+}
+
+std::vector<TubeLayouts> LayoutChoices::layouts(const BedOrder& order, bool narrow,
+                                                RunContext* run) {
   const auto left = [&](int connection) {
     return connection < 0 ? 0 : order.left_part[connection];
   };
   std::vector<TubeLayouts> layouts = shaping_;
-  for (int t = 0; t < static_cast<int>(layouts.size()); ++t)
-    layouts[t].layouts = search(t, left(below_[t]), left(above_[t]), run).layouts;
+  for (int t = 0; t < static_cast<int>(layouts.size()); ++t) {
+    const int below = left(below_[t]), above = left(above_[t]);
+    if (!narrow) {
+      layouts[t].layouts = found(t, below, above, run).layouts;
+      continue;
+    }
+    LayoutLimits own = limits(t, below, above);
+    own.narrow = true;
+    layouts[t].layouts = search_layouts(first_slots(t), shaping_[t].maps, own, run).layouts;
+  }
   return layouts;
 }
 

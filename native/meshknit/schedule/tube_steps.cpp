@@ -204,8 +204,8 @@ class TubeReplay {
   // Walks round the tube once, giving out slots, and hangs the new loops into the next ring.
   void make_slots(TubeStep& step) {
     const int n = size(), count = step.last_stitch - step.first_stitch + 1;
-    const bool forward =
-        trace_.stitches[step.first_stitch].direction == Direction::anticlockwise;
+    const Direction direction = trace_.stitches[step.first_stitch].direction;
+    const bool forward = direction == Direction::anticlockwise;
     step.stitch_slot.assign(count, -1);
     step.second_slot.assign(count, -1);
     std::vector<int> slot_of_stack(n);
@@ -244,7 +244,7 @@ class TubeReplay {
     }
     for (int k = 0; k < count; ++k)
       if (step.second_slot[k] < 0) step.second_slot[k] = step.stitch_slot[k];
-    step.map = SlotMap(std::move(slot_of_stack), static_cast<int>(next.size()));
+    step.map = SlotMap(std::move(slot_of_stack), static_cast<int>(next.size()), direction);
     hang(std::move(next), step);
   }
 

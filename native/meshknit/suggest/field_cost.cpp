@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meshknit/tracing/event_order.h"
+#include "meshknit/tracing/hanging_order.h"
 
 namespace meshknit {
 namespace {

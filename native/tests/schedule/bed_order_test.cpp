@@ -92,7 +92,7 @@ std::vector<TubeCosts> random_costs(const DrawnTubes& drawn, Dice& dice) {
   std::vector<TubeCosts> costs(drawn.tubes.tubes.size());
   for (TubeCosts& cost : costs)
     for (auto& row : cost)
-      for (TubeCost& c : row) c = {dice.roll(3), dice.roll(2), dice.roll(5), dice.roll(5)};
+      for (TubeCost& c : row) c = {dice.roll(3), dice.roll(5), dice.roll(5)};
   return costs;
 }
 

@@ -60,7 +60,7 @@ TEST(BranchesSchedule, OnlyOneLegMovesAsideOnce) {
     EXPECT_EQ(schedule.cost.alignment, 0);
     EXPECT_EQ(schedule.cost.roll, 0);
     EXPECT_EQ(schedule.cost.shift, n) << "one leg's loops";
-    EXPECT_TRUE(schedule.optimal);
+    EXPECT_TRUE(schedule.optimal());
     int moves = 0;
     for (const ScheduleStep& step : schedule.steps) moves += moved(step) > 0 ? 1 : 0;
     EXPECT_EQ(moves, 1);
@@ -104,7 +104,7 @@ TEST(BranchesSchedule, WideningLegsPushTheirNeighboursAway) {
   const bool pushed = std::any_of(schedule.steps.begin(), schedule.steps.end(),
                                   [](const ScheduleStep& step) { return !knits(step); });
   EXPECT_TRUE(pushed);
-  EXPECT_FALSE(schedule.optimal);
+  EXPECT_FALSE(schedule.optimal());
 }
 
 TEST(BranchesSchedule, NarrowingLegsStayWhereTheyAre) {

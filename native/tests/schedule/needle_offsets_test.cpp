@@ -66,7 +66,7 @@ TEST(NeedleOffsets, RoomIsLeftForATubeThatStartsBetweenOthers) {
     machine.needles = 400;
     const PlacedTubes placed =
         place_tubes(tubes, connections, order,
-                    LayoutChoices(tubes, connections).layouts(order, nullptr), machine);
+                    LayoutChoices(tubes, connections).layouts(order, false, nullptr), machine);
     // No leg moves before two of them meet; they hang a free place apart.
     const PlacedStep* merge = nullptr;
     for (const PlacedStep& step : placed.steps)

@@ -22,7 +22,8 @@ SlotMap random_map(Dice& dice, int stacks) {
       joined = true;
     }
   }
-  return {slot_of_stack, slots};
+  return {slot_of_stack, slots,
+          dice.roll(2) == 0 ? Direction::clockwise : Direction::anticlockwise};
 }
 
 }  // namespace meshknit

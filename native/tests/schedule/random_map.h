@@ -6,7 +6,7 @@
 namespace meshknit {
 
 /// A random step over this many stacks: about one in five is decreased with the stack before
-/// it, as many are followed by a gap.
+/// it, as many are followed by a gap. In either direction.
 SlotMap random_map(Dice& dice, int stacks);
 
 }  // namespace meshknit

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "meshknit/core/error.h"
+#include "meshknit/emit/step_transfers.h"
 #include "meshknit/schedule/schedule_checks.h"
 #include "schedule/tube_knitter.h"
 
@@ -57,9 +58,20 @@ TEST(Schedule, AShortRowNeedsNoTransfer) {
       EXPECT_EQ(trace.stitches[s].direction, trace.stitches[step.first_stitch].direction);
 }
 
+// Carriage passes of all transfers.
+int passes_of(const StitchTrace& trace, const Schedule& schedule) {
+  TransferPlanner planner;
+  int passes = 0;
+  for (const ScheduleStep& step : schedule.steps)
+    passes += count_passes(plan_step_transfers(step, transfer_direction(trace, step),
+                                               half_metre_machine(), planner));
+  return passes;
+}
+
 // Two decreases opposite each other, on a rotation that puts one on each bed, keep both beds
-// equally long: nothing rolls.
-TEST(Schedule, DecreasesOnOppositeSidesDoNotRoll) {
+// equally long: one pass lifts loops of the front, the next puts them down and lifts those of the
+// back, the third puts these down. Four such rounds.
+TEST(Schedule, DecreasesOnOppositeSidesTakeThreePassesARound) {
   TubeKnitter tube(24);
   for (int r = 0; r < 4; ++r) {
     const int half = tube.loops() / 2;
@@ -69,18 +81,33 @@ TEST(Schedule, DecreasesOnOppositeSidesDoNotRoll) {
   const StitchTrace trace = tube.end();
   const Schedule schedule = schedule_stitches(trace, half_metre_machine());
   EXPECT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "");
-  EXPECT_EQ(schedule.cost.alignment, 0);
-  EXPECT_EQ(schedule.cost.roll, 0);
+  EXPECT_LE(passes_of(trace, schedule), 4 * 3);
 }
 
-// A cone that loses one loop a round from 24 down to 8, always at the same spot. Every two
-// rounds one bed would be two loops short, so one loop must come round from the other bed (or a
-// decrease joins loops of both beds, which moves one as well): 16 decreases, 8 rolls.
-TEST(Schedule, OneSidedShapingRollsOnceEveryTwoDecreases) {
+// A cone that loses one loop a round from 24 down to 8, always at the same spot. A decrease takes
+// two passes. Every two rounds one bed would be two loops short, so one loop must come round from
+// the other bed, which takes one pass more: 16 decreases, 8 rolls.
+TEST(Schedule, OneSidedShapingTakesFivePassesForTwoDecreases) {
   const StitchTrace trace = knit_one_sided_cone(24, 8);
   const Schedule schedule = schedule_stitches(trace, half_metre_machine());
   EXPECT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "");
-  EXPECT_EQ(schedule.cost.roll, 8);
+  EXPECT_LE(passes_of(trace, schedule), 8 * 5);
+}
+
+// Two decreases on one side, then two on the other: the balance of the beds may be off by one until
+// the other side has its turn, so none takes more than its own two passes.
+TEST(Schedule, ABalanceThatComesBackByItselfIsNotRestored) {
+  TubeKnitter tube(24);
+  for (int side = 0; side < 2; ++side)
+    for (int r = 0; r < 2; ++r) {
+      const int before = side == 0 ? 4 : tube.loops() / 2 + 4;
+      tube.knit(before).decrease().knit(tube.loops() - before - 2);
+      tube.round();
+    }
+  const StitchTrace trace = tube.end();
+  const Schedule schedule = schedule_stitches(trace, half_metre_machine());
+  EXPECT_EQ(first_message(check_schedule(trace, schedule, half_metre_machine())), "");
+  EXPECT_LE(passes_of(trace, schedule), 4 * 2);
 }
 
 TEST(Schedule, RandomTubesKeepEveryPromise) {
@@ -133,8 +160,8 @@ TEST(Schedule, ATubeWiderThanTheBedSaysWhichScaleFits) {
   EXPECT_NO_THROW(schedule_stitches(knit_plain_tube(42, 4), small));
 }
 
-// On both beds a decrease near the left end and an increase near the right end, every round:
-// all loops between stay where they are, and the tube walks one place to the right a round.
+// On both beds a decrease near the left end and an increase near the right end, every round: the
+// tube leans to the right, but on a narrow bed cannot hang further and further there.
 TEST(Schedule, ALeaningTubeStaysOnTheBed) {
   TubeKnitter tube(28);
   for (int r = 0; r < 12; ++r) {
@@ -143,16 +170,15 @@ TEST(Schedule, ALeaningTubeStaysOnTheBed) {
   }
   const StitchTrace trace = tube.end();
   const Schedule walking = schedule_stitches(trace, half_metre_machine());
-  EXPECT_TRUE(walking.optimal);
+  EXPECT_TRUE(walking.optimal());
   EXPECT_EQ(walking.cost.roll, 0);
-  EXPECT_GE(walking.ends[0].hooks[0].n - walking.steps[0].before_hooks[0].n, 10);
 
   MachineProfile small;
   small.needles =
       46;  // places 1..22, four kept free at each end: just the 14 that 28 loops need
   const Schedule kept = schedule_stitches(trace, small);
   EXPECT_EQ(first_message(check_schedule(trace, kept, small)), "");
-  EXPECT_FALSE(kept.optimal) << "loops had to move that could have stayed on a wider bed";
+  EXPECT_FALSE(kept.optimal()) << "loops had to move that could have stayed on a wider bed";
   EXPECT_EQ(kept.cost.roll, 0);
 }
 

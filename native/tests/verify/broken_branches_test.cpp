@@ -20,7 +20,9 @@ void turn_left_tube(KnitoutLines& lines, int first) {
   }
 }
 
-const std::vector<BrokenCopy>& copies() {
+}  // namespace
+
+const std::vector<BrokenCopy>& copies_of_branches() {
   static const std::vector<BrokenCopy> all = {
       // The left tube is f10 f12 b11 b13, the right one f14 f16 b15 b17.
       {"a loop brought between the other tube's and back", "passes-other-tube",
@@ -104,8 +106,10 @@ const std::vector<BrokenCopy>& copies() {
   return all;
 }
 
+namespace {
+
 TEST(BrokenBranches, EveryRuleOfSeveralTubesRefusesWhatBreaksIt) {
-  expect_refused(copies(), KnitoutLines::branches(), branches_trace());
+  expect_refused(copies_of_branches(), KnitoutLines::branches(), branches_trace());
 }
 
 }  // namespace

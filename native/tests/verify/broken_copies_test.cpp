@@ -10,10 +10,9 @@
 #include "verify/worked_example.h"
 
 namespace meshknit {
-namespace {
 
 // The primer's list (end of section 7).
-const std::vector<BrokenCopy>& listed() {
+const std::vector<BrokenCopy>& copies_of_primers_list() {
   static const std::vector<BrokenCopy> copies = {
       {"stray drop", "loop-dropped", [](auto& k) { k.before("stitch 17", {"drop f14"}); }},
       {"transfer at wrong racking", "not-aligned",
@@ -100,7 +99,7 @@ const std::vector<BrokenCopy>& listed() {
 }
 
 // Rules that only this project has, or that the list leaves out.
-const std::vector<BrokenCopy>& further() {
+const std::vector<BrokenCopy>& further_copies() {
   static const std::vector<BrokenCopy> copies = {
       {"waste carrying on through the object", "waste-through-object",
        [](auto& k) { k.replace("stitch 20", "waste"); }},
@@ -187,12 +186,14 @@ const std::vector<BrokenCopy>& further() {
   return copies;
 }
 
+namespace {
+
 TEST(BrokenCopies, EveryOneOfThePrimersListIsRefusedByItsRule) {
-  expect_refused(listed(), KnitoutLines(), worked_trace());
+  expect_refused(copies_of_primers_list(), KnitoutLines(), worked_trace());
 }
 
 TEST(BrokenCopies, FurtherRulesRefuseWhatBreaksThem) {
-  expect_refused(further(), KnitoutLines(), worked_trace());
+  expect_refused(further_copies(), KnitoutLines(), worked_trace());
 }
 
 TEST(BrokenCopies, MachinesWithoutHookOrSlidersRefuseThem) {

@@ -16,6 +16,12 @@ struct BrokenCopy {
   bool alone = false;  ///< no other rule is broken
 };
 
+/// Copies of the worked example: the primer's list, and what it leaves out; copies of the example
+/// that parts and meets again.
+const std::vector<BrokenCopy>& copies_of_primers_list();
+const std::vector<BrokenCopy>& further_copies();
+const std::vector<BrokenCopy>& copies_of_branches();
+
 /// Expects that the Shima's check refuses every copy and names its rule as an error.
 void expect_refused(const std::vector<BrokenCopy>& copies, const KnitoutLines& good,
                     const StitchTrace& trace);
