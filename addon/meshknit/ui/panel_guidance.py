@@ -28,7 +28,9 @@ class MESHKNIT_PT_guidance(KnitPanel, bpy.types.Panel):
         guidance = session.guidance if session is not None else None
         if guidance is None:
             if not live.is_wanted(context.object):
-                draw_text(layout, context, "Give boundaries a time, or let openings and times be chosen:")
+                draw_text(
+                    layout, context, "Give boundaries a time, or let openings and times be chosen:"
+                )
                 layout.operator(names.OP_SUGGEST, icon="LIGHT")
             return
         column = layout.column()
