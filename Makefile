@@ -3,9 +3,9 @@
 BUILD := build
 JOBS := 2
 BLENDER ?= blender
-VIRTUAL_DISPLAY := xvfb-run -a -s "-screen 0 1280x900x24"
+VIRTUAL_DISPLAY := xvfb-run -a -s "-screen 0 1024x700x24"
 
-.PHONY: help build demo test gui bench format
+.PHONY: help build demo test gui pictures bench format
 .DEFAULT_GOAL := help
 
 help:
@@ -13,6 +13,7 @@ help:
 	@echo "make test     all tests: C++, Python module, headless Blender, Blender with a simulated mouse"
 	@echo "make build    the library and the add-on's Python module"
 	@echo "make gui      Blender with the add-on on and the sock in the scene"
+	@echo "make pictures the documentation's pictures, from a simulated person's work"
 	@echo "make bench    benchmarks: they print tables"
 	@echo "make format   clang-format and black"
 
@@ -28,6 +29,13 @@ demo: build
 
 gui: build
 	@$(BLENDER) --factory-startup --python addon/meshknit/demo.py -- --gui
+
+# The tests that walk through what the documentation shows leave its pictures.
+pictures: build
+	@.ci/install_packages test
+	@$(VIRTUAL_DISPLAY) $(BLENDER) --factory-startup --enable-event-simulate -p 0 0 1024 700 \
+	  --python blender_tests/run_gui.py -- -q --pictures=addon/docs --basetemp=/tmp/meshknit-pictures \
+	  blender_tests/gui/test_marking.py blender_tests/gui/test_whole_path.py
 
 test:
 	@.ci/install_packages test

@@ -23,3 +23,19 @@ def chain(index):
     places = np.array([ob.data.vertices[v].co for v in sorted(rows)]).reshape(-1, 3)
     bpy.ops.object.mode_set(mode=mode)
     return places
+
+
+def open_rims(ob):
+    """Places in the world of the vertices on each open rim, the lowest rim first."""
+    keys, counts = np.unique(
+        [sorted(key) for face in ob.data.polygons for key in face.edge_keys],
+        axis=0,
+        return_counts=True,
+    )
+    rim_of = {}
+    for a, b in keys[counts == 1]:
+        joined = rim_of.get(a, {a}) | rim_of.get(b, {b})
+        rim_of.update(dict.fromkeys(joined, joined))
+    rims = {min(rim): sorted(rim) for rim in rim_of.values()}.values()
+    places = [np.array([ob.matrix_world @ ob.data.vertices[v].co for v in rim]) for rim in rims]
+    return sorted(places, key=lambda rim: rim[:, 2].mean())

@@ -9,7 +9,7 @@ import pytest
 
 from user import pump
 
-QUALITY = "82"
+QUALITY = "74"
 # The mouse, which no picture of a virtual display shows; its point is at (0, 0).
 POINTER = ((0, 0), (0, 17), (4, 13), (7, 20), (10, 19), (7, 12), (12, 12))
 

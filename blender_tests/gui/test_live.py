@@ -21,30 +21,13 @@ def is_at_rest():
     return live.progress() is None and not bpy.app.timers.is_registered(live.tick)
 
 
-def find_value(user, path):
-    """Moves down the sidebar until the mouse is over the field of a property. -> (x, y)"""
-    manager = bpy.context.window_manager
-    x = int(user.sidebar.width * 0.55)
-    for y in range(user.sidebar.height - 30, 5, -8):
-        user.move(user.sidebar, x, y)
-        pump(2)
-        manager.clipboard = ""
-        override = {"window": user.window, "area": user.area, "region": user.sidebar}
-        with bpy.context.temp_override(**override):
-            if bpy.ops.ui.copy_data_path_button.poll():
-                bpy.ops.ui.copy_data_path_button(full_path=True)
-        if manager.clipboard.endswith(path):
-            return x, y
-    raise AssertionError(f"the sidebar shows no field for {path}")
-
-
 def test_a_dragged_value_changes_the_colours_while_it_is_dragged(user, run, tube, picture):
     show(user, show_graph=False)
     run(bpy.ops.view3d.view_axis, type="FRONT")
     pump_until(is_at_rest)
     before = picture()
     assert count(before, "blue") > 200 and count(before, "red") > 200
-    x, y = find_value(user, "constraints[0].time")
+    x, y = user.find_field("constraints[0].time", fraction=0.55)
     user.move(user.sidebar, x, y)
     user.event("LEFTMOUSE", "PRESS")
     value, step, greyed = -1.0, 0, False

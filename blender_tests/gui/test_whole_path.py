@@ -11,7 +11,7 @@ from meshknit import native
 from meshknit.scene import live, sessions
 from user import pump, pump_until
 
-WIDTH = 800  # of the pictures
+WIDTH = 640  # of the pictures
 
 
 def session():
@@ -37,7 +37,7 @@ def rim_in_view(user, index):
     return user.pixel(places[np.argmax(places @ np.array(away))])
 
 
-def test_from_an_empty_scene_to_the_file(user, stills, tmp_path):
+def test_teddy(user, stills, tmp_path, monkeypatch):
     user.fill_window()
     user.add_knit_shape(choose=False)
     stills.take("path-1", WIDTH)
@@ -60,6 +60,12 @@ def test_from_an_empty_scene_to_the_file(user, stills, tmp_path):
     suggested = [time for time, _ in entries()[1]]
     assert min(suggested) == -1.0 and max(suggested) == 1.0
     stills.take("path-3", WIDTH)
+    user.over_view()
+    user.press("Z", ctrl=True)
+    assert entries() == ([], [])
+    user.press("Z", ctrl=True, shift=True)
+    assert [time for time, _ in entries()[1]] == suggested
+    wait_for("graph")
 
     # An opening that is knit neither first nor last: a little later than suggested.
     index = next(i for i, time in enumerate(suggested) if abs(time) < 0.89)
@@ -82,13 +88,15 @@ def test_from_an_empty_scene_to_the_file(user, stills, tmp_path):
     stills.take("path-6", WIDTH)
 
     user.scroll(-60)
+    monkeypatch.chdir(tmp_path)
     path = tmp_path / "teddy.k"
-    user.fill_in("meshknit.output", str(path))
-    assert bpy.context.scene.meshknit.output == str(path)
+    user.fill_in("meshknit.output", "teddy.k")
+    assert bpy.context.scene.meshknit.output == "teddy.k"
     stills.take("path-7", WIDTH)
     user.click_button("meshknit.write_knitout(")
     pump_until(lambda: at_rest() and path.exists())
     user.scroll(60)
+    user.scroll(-6)
     stills.take("path-8", WIDTH)
 
     # The file, read again, is what was planned; and the plan has what was marked.

@@ -193,6 +193,18 @@ def test_a_field_of_the_users_own():
     assert session().is_fresh("graph")
 
 
+def test_another_source_of_time_is_what_is_shown(tube):
+    settings = bpy.context.object.data.meshknit
+    settings.time_source, settings.time_axis = "HEIGHT", "-Z"
+    settle()
+    # The constraints say that the lower rim is first; by the height downwards it is last.
+    lowest = np.argmin(field().live.shape.places[:, 2])
+    assert field().times[lowest] == pytest.approx(1.0)
+    settings.time_source = "CONSTRAINTS"
+    settle()
+    assert field().times[lowest] == pytest.approx(-1.0)
+
+
 def test_meshes_that_nobody_means_to_knit_are_left_in_peace():
     add_mesh(*meshes.ball())
     assert live.tick() is None and field() is None and live.progress() is None

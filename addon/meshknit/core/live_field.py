@@ -61,12 +61,21 @@ def make_live_field(library, model, settings, context, known=None, before=None):
         return None, outcome
     knit, keys = outcome.results["check"].value, outcome.keys
     chains, sources = _chains(knit, model)
-    if model.own_time is None and not any(chains):
+    if model.own_time is None and model.source is None and not any(chains):
         return None, outcome
     same = before is not None and before.keys["check"] == keys["check"]
     shape = before.shape if same else _make_shape(library, model, knit)
     if model.own_time is not None:
         own = np.nan_to_num(np.asarray(knit.times_of(model), float))
+        return LiveField(keys, model.scale, shape, own_time=own), outcome
+    if model.source is not None:
+        # These times are no back-solve away from others: they are found anew each time.
+        found = run_stages(
+            library, model, settings, "time", context, {**(known or {}), **outcome.results}
+        )
+        if not found.ok:
+            return None, outcome
+        own = np.asarray(found.results["time"].value[0])
         return LiveField(keys, model.scale, shape, own_time=own), outcome
     if same and before.chains == chains:
         solver = before.solver

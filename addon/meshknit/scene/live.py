@@ -63,7 +63,7 @@ def progress():
 def is_wanted(ob):
     """True for objects that someone means to knit: others are left in peace."""
     settings = getattr(ob.data, names.PROPERTIES)
-    marked = settings.constraints or settings.openings or settings.time_source == "ATTRIBUTE"
+    marked = settings.constraints or settings.openings or settings.time_source != "CONSTRAINTS"
     return bool(marked) or sessions.known_session(ob) is not None
 
 

@@ -50,6 +50,7 @@ class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
         column.operator(names.OP_BUILD_GRAPH, icon="MESH_GRID")
         column.operator(names.OP_SCHEDULE, icon="MOD_ARRAY")
         column.operator(names.OP_WRITE, icon="EXPORT")
+        layout.label(text="Machine file:")
         layout.prop(getattr(context.scene, names.PROPERTIES), "output", text="")
 
 
@@ -95,19 +96,17 @@ class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
         layout.prop(scene, "relax")
         layout.prop(scene, "allow_seams")
         layout.prop(scene, "machine", text="")
+        layout.label(text="Profile of your own:")
         layout.prop(scene, "machine_file", text="")
 
 
 class MESHKNIT_UL_constraints(bpy.types.UIList):
     bl_idname = names.LIST_CONSTRAINTS
 
-    def draw_item(self, context, layout, data, item, icon, active_data, active_name, index=0):
-        row = layout.row(align=True)
+    def draw_item(self, context, layout, data, item, icon, active_data, active_name):
+        row = layout.split(factor=0.62, align=True)
         row.prop(item, "name", text="", emboss=False)
         row.prop(item, "time", text="")
-        row.operator(
-            names.OP_SELECT_CONSTRAINT, text="", icon="RESTRICT_SELECT_OFF", emboss=False
-        ).index = index
 
 
 class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
@@ -124,7 +123,9 @@ class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
         self._draw_source(context, mesh)
         row = layout.row()
         row.template_list(names.LIST_CONSTRAINTS, "", mesh, "constraints", mesh, "active", rows=3)
-        row.operator(names.OP_REMOVE_CONSTRAINT, text="", icon="REMOVE").index = -1
+        beside = row.column(align=True)
+        beside.operator(names.OP_REMOVE_CONSTRAINT, text="", icon="REMOVE").index = -1
+        beside.operator(names.OP_SELECT_CONSTRAINT, text="", icon="RESTRICT_SELECT_OFF").index = -1
         column = layout.column(align=True)
         column.operator(names.OP_ADD_BOUNDARY, icon="ADD")
         column.operator(names.OP_FROM_SEAMS, icon="ADD")

@@ -28,7 +28,9 @@ class MESHKNIT_PT_guidance(KnitPanel, bpy.types.Panel):
         guidance = session.guidance if session is not None else None
         if guidance is None:
             if not live.is_wanted(context.object):
-                draw_text(layout, context, "Give boundaries a time, or let openings and times be:")
+                draw_text(
+                    layout, context, "Give boundaries a time, or let openings and times be chosen:"
+                )
                 layout.operator(names.OP_SUGGEST, icon="LIGHT")
             return
         column = layout.column()
@@ -49,13 +51,14 @@ class MESHKNIT_PT_guidance(KnitPanel, bpy.types.Panel):
         draw_text(box, context, problem["message"], ICONS[problem["severity"]])
         if problem["remedy"]:
             draw_text(box, context, problem["remedy"], "BLANK1")
-        row = box.row(align=True)
+        # One below the other: side by side, a narrow sidebar cuts their words off.
+        buttons = box.column(align=True)
         if GIVE_TIME in problem["actions"]:
-            row.operator(names.OP_GIVE_TIME, icon="TIME").index = index
+            buttons.operator(names.OP_GIVE_TIME, icon="TIME").index = index
         if SELECT in problem["actions"]:
-            row.operator(names.OP_SELECT_FINDING, text="Show", icon="VIEWZOOM").index = index
+            buttons.operator(names.OP_SELECT_FINDING, text="Show", icon="VIEWZOOM").index = index
         if SUGGEST in problem["actions"]:
-            row.operator(names.OP_SUGGEST, icon="LIGHT")
+            buttons.operator(names.OP_SUGGEST, icon="LIGHT")
 
 
 class MESHKNIT_PT_suggestions(KnitPanel, bpy.types.Panel):

@@ -1,6 +1,6 @@
 """Text that a narrow sidebar shows whole."""
 
-FRAME = 70  # pixels at scale 1: margins, tabs, a box and an icon
+FRAME = 92  # pixels at scale 1: margins, tabs, a box and an icon
 POINTS = 11  # size of Blender's own text
 
 
