@@ -3,7 +3,7 @@
 import bpy
 
 from .. import compat, names
-from ..core.guidance import GIVE_TIME, SELECT, SUGGEST
+from ..core.guidance import GIVE_TIME, MEND, SELECT, SUGGEST
 from ..scene import live, sessions
 from .panel import KnitPanel
 from .panel_results import ICONS
@@ -52,6 +52,8 @@ class MESHKNIT_PT_guidance(KnitPanel, bpy.types.Panel):
         row = box.row(align=True)
         if GIVE_TIME in problem["actions"]:
             row.operator(names.OP_GIVE_TIME, icon="TIME").index = index
+        if MEND in problem["actions"]:
+            row.operator(names.OP_MEND_TIME, icon="MODIFIER")
         if SELECT in problem["actions"]:
             row.operator(names.OP_SELECT_FINDING, text="Show", icon="VIEWZOOM").index = index
         if SUGGEST in problem["actions"]:
