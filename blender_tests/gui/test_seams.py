@@ -22,7 +22,7 @@ def test_the_button_below_the_proposal_allows_the_seams(user, run):
         run(bpy.ops.meshknit.schedule)
     assert "seam-needed" in codes()
     pump(4)
-    user.click(user.sidebar, *user.find_button("meshknit.allow_seams(", screens=6))
+    user.click(user.sidebar, *user.find_button("meshknit.allow_seams(", screens=14))
     pump_until(lambda: sessions.job() is None and "seam" in codes())
     assert bpy.context.scene.meshknit.allow_seams
     assert sessions.known_session(bpy.context.object).is_fresh("schedule")

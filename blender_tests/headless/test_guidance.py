@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 import meshes
+from meshknit.scene.attributes import read_attribute, write_attribute
 from objects import add_mesh, session, settle, times
 
 KNIT = bpy.ops.meshknit
@@ -109,3 +110,24 @@ def test_old_findings_are_not_acted_on(tube):
     live.tick()
     with pytest.raises(RuntimeError, match="changed since"):
         KNIT.give_time(index=index)
+
+
+def test_a_painted_pit_is_mended_by_a_click(tube):
+    KNIT.solve_time()
+    painted = read_attribute(tube.data, "knit_time", "FLOAT", "POINT")
+    pit = len(painted) // 2
+    painted[pit] -= 0.5
+    write_attribute(tube.data, "knit_time", "FLOAT", "POINT", painted)
+    tube.data.meshknit.time_source = "ATTRIBUTE"
+    _, problem = findings()["false-extremum"]
+    assert problem["actions"][0] == "MEND"
+    assert KNIT.mend_time() == {"FINISHED"}
+    assert "false-extremum" not in findings()
+    mended = read_attribute(tube.data, "knit_time", "FLOAT", "POINT")
+    changed = np.flatnonzero(np.abs(mended - painted) > 1e-5)
+    assert changed.tolist() == [pit], "nothing else was wrong"
+
+
+def test_times_of_constraints_are_not_mended(tube):
+    with pytest.raises(RuntimeError, match="constraint"):
+        KNIT.mend_time()

@@ -5,7 +5,10 @@ import numpy as np
 import pytest
 
 import meshes
+from meshknit import native
+from meshknit.core.workflow import run_stages
 from meshknit.scene import live, sessions
+from meshknit.scene.shapes import add_object
 from meshknit.scene.shown_field import shown
 from objects import add_mesh, session, settle
 
@@ -244,3 +247,32 @@ def test_a_chain_shows_its_field_while_it_is_drawn(tube):
     live.end_chain()
     settle()
     assert (field().times[ring] < 0.5).all() and session().is_fresh("graph")
+
+
+def test_first_rows_are_there_before_the_graph_is(tube):
+    library = native.load()
+    model, settings = sessions.read_as_it_is(bpy.context, tube)
+    first_rows, run = library.FirstRows(), library.RunContext()
+    assert first_rows.take() is None, "nothing is knit yet; but now the rows are asked for"
+    outcome = run_stages(library, model, settings, "graph", run, first_rows=first_rows)
+    rows, graph = first_rows.take(), outcome.results["graph"].value
+    assert 0 < len(rows.nodes) < len(graph.nodes)
+    edges, _ = rows.row_edges
+    assert edges.max() < len(rows.nodes)
+    session = sessions.session_of(tube)
+    session.show_first_rows((rows, model.scale))
+    assert session.shown_graph() == (rows, model.scale, False)
+    session.show_first_rows(None)
+    assert session.shown_graph() is None
+
+
+def test_an_object_of_instances_says_so():
+    child = add_mesh(*meshes.tube(), name="Child")
+    points = bpy.data.meshes.new("Around")
+    points.from_pydata([(0.0, 0.0, 0.0), (0.1, 0.0, 0.0)], [], [])
+    around = add_object(bpy.context, points)
+    child.parent = around
+    around.instance_type = "VERTS"
+    bpy.context.view_layer.objects.active = around
+    with pytest.raises(RuntimeError, match="instances"):
+        KNIT.check_mesh()

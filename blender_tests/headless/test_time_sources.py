@@ -75,9 +75,7 @@ def test_a_share_lies_between_both(tube):
     settings = tube.data.meshknit
     assert bpy.ops.meshknit.solve_time() == {"FINISHED"}
     interpolated = knit_time(tube)
-    write_attribute(
-        tube.data, "painted", "FLOAT", "POINT", (heights(tube) ** 2).astype(np.float32)
-    )
+    write_attribute(tube.data, "painted", "FLOAT", "POINT", (heights(tube) ** 2).astype(np.float32))
     settings.time_source, settings.time_values = "VALUES", "painted"
     assert bpy.ops.meshknit.solve_time() == {"FINISHED"}
     painted = knit_time(tube)

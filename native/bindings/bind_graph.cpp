@@ -149,19 +149,38 @@ void bind_graph(py::module_& m) {
       .def_property_readonly("report", &graph_report, "The report's `graph` entry.")
       .def_property_readonly("seams", &seams_to_python, "The report's `seams` entry.");
 
+  py::class_<FirstRows>(
+      m, "FirstRows", py::module_local(),
+      "The rows that are knit so far, for one who looks on while a graph is made "
+      "in another thread.")
+      .def(py::init<>())
+      .def(
+          "take",
+          [](FirstRows& first_rows) -> std::unique_ptr<CheckedGraph> {
+            std::optional<KnitGraph> rows = first_rows.take();
+            if (!rows) return nullptr;
+            auto graph = std::make_unique<CheckedGraph>();
+            graph->graph = std::move(*rows);
+            return graph;
+          },
+          "A graph of the rows since the last call, without lengths or report, or None; asks "
+          "for the "
+          "next.");
+
   m.def(
       "build_knit_graph",
       [](const Surface& surface, const Doubles& time, double stitch_width, double stitch_height,
-         bool relax, RunContext* run) {
+         bool relax, RunContext* run, FirstRows* first_rows) {
         const std::vector<double> field = from_input_order(surface, time);
         py::gil_scoped_release release;
-        return std::make_unique<CheckedGraph>(
-            build_knit_graph(surface, field, {stitch_width, stitch_height, relax}, run));
+        return std::make_unique<CheckedGraph>(build_knit_graph(
+            surface, field, {stitch_width, stitch_height, relax}, run, first_rows));
       },
       py::arg("surface"), py::arg("time"),
       py::arg("stitch_width") = RemeshOptions().stitch_width,
       py::arg("stitch_height") = RemeshOptions().stitch_height,
-      py::arg("relax") = RemeshOptions().relax, py::arg("run") = nullptr);
+      py::arg("relax") = RemeshOptions().relax, py::arg("run") = nullptr,
+      py::arg("first_rows") = nullptr);
 
   m.def(
       "cut_seams",

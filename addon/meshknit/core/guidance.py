@@ -16,7 +16,8 @@ STILL = 4.0  # and from here on rows do not reach it
 WORTH_A_WORD = 0.005  # of the area
 
 # What a click can do about a finding.
-GIVE_TIME, SELECT, SUGGEST = "GIVE_TIME", "SELECT", "SUGGEST"
+GIVE_TIME, MEND, SELECT, SUGGEST = "GIVE_TIME", "MEND", "SELECT", "SUGGEST"
+_MENDABLE = ("false-extremum", "boundary-not-constant", "boundary-in-passing")
 _REMEDIES = {
     "boundary-without-time": (GIVE_TIME, SELECT),
     "boundary-with-two-times": (SELECT,),
@@ -62,7 +63,7 @@ def assess(library, model, settings, context, known=None):
     outcome = run_stages(library, model, settings, "time", context, known)
     if outcome.status == "cancelled":
         return None, outcome
-    problems = [_with_actions(problem) for problem in outcome.problems]
+    problems = [_with_actions(model, problem) for problem in outcome.problems]
     if outcome.status in ("usage", "broken"):
         problems.append(_finding("not-judged", "error", outcome.message, "", (), ()))
     if not outcome.ok:
@@ -93,8 +94,11 @@ def assess(library, model, settings, context, known=None):
     return Guidance(outcome.keys["time"], tuple(problems), saddles, numbers), outcome
 
 
-def _with_actions(problem):
+def _with_actions(model, problem):
     actions = _REMEDIES.get(problem["code"], (SELECT,))
+    of_its_own = model.own_time is not None or (model.source is not None and not model.source.mend)
+    if of_its_own and problem["code"] in _MENDABLE:
+        actions = (MEND, *actions)
     if not problem["elements"]:
         actions = tuple(a for a in actions if a != SELECT)
     return {**problem, "actions": actions}

@@ -13,11 +13,12 @@ def find_field(library, model, settings, run, known, before):
 
 def judge(library, model, settings, run, known, before):
     """-> (LiveField or None, Guidance or None, outcome of the time stage). The field once more:
-    after changes of times its keys are old, and a rare change may have come under cover of another."""
+    after changes of times its keys are old, and a rare change may have come under cover of another.
+    """
     field, outcome = make_live_field(library, model, settings, run, known, before)
     return field, *assess(library, model, settings, run, {**known, **outcome.results})
 
 
-def build(library, model, settings, run, known, _before):
+def build(library, model, settings, run, known, _before, first_rows):
     """-> outcome of the graph stage"""
-    return run_stages(library, model, settings, "graph", run, known)
+    return run_stages(library, model, settings, "graph", run, known, first_rows)

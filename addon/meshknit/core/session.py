@@ -18,6 +18,7 @@ class Session:
     problems: list = field(default_factory=list)
     report: dict = field(default_factory=dict)
     message: str = ""
+    first_rows: tuple = None  # (rows of a graph that is being made, mm per unit of the scene)
     guidance: object = None  # guidance.Guidance, once the field was judged
     suggestions: object = None  # suggestions.Suggestions, once they were asked for
     written: str = ""  # the machine file's full path, once it is there
@@ -48,6 +49,19 @@ class Session:
             self.results.update(outcome.results)
             self.revision += 1
         self.look_at(outcome.keys)
+
+    def show_first_rows(self, rows):
+        """Rows of a graph that is being made, or None when that has ended."""
+        if rows is not self.first_rows:
+            self.first_rows = rows
+            self.revision += 1
+
+    def shown_graph(self):
+        """-> (graph, mm per unit of the scene, whether it is out of date) to be drawn, or None."""
+        if self.first_rows is not None:
+            return *self.first_rows, False
+        result = self.results.get("graph")
+        return (result.value, result.scale, not self.is_fresh("graph")) if result else None
 
     def look_at(self, keys):
         """Says which keys the object has now."""

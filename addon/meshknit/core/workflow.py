@@ -72,8 +72,9 @@ def stage_keys(model, settings):
     return dict(zip(STAGES, (check, field_key, graph, trace, schedule, emit)))
 
 
-def run_stages(library, model, settings, until, context, known=None):
+def run_stages(library, model, settings, until, context, known=None, first_rows=None):
     """Runs every stage up to `until` that `known` (stage -> StageResult) does not already hold.
+    `first_rows`, a library's FirstRows, gets the rows of the graph while they are knit.
     Touches nothing but its arguments' own methods, so it may run in any thread. Never throws for
     the model's faults, wrong settings or cancelling: the outcome says so."""
     outcome = Outcome("done", until, stage_keys(model, settings))
@@ -83,7 +84,7 @@ def run_stages(library, model, settings, until, context, known=None):
             context.begin_stage(start / ENDS[until], ENDS[stage] / ENDS[until])
             result = (known or {}).get(stage)
             if result is None or result.key != outcome.keys[stage]:
-                result = _run_stage(library, stage, model, settings, outcome, context)
+                result = _run_stage(library, stage, model, settings, outcome, context, first_rows)
             outcome.results[stage] = result
             outcome.problems += result.problems
             if stage == "check" and not result.value.ok:
@@ -118,10 +119,11 @@ def describe(problems):
     return " ".join(text.split()) + more
 
 
-def _run_stage(library, stage, model, settings, outcome, context):
+def _run_stage(library, stage, model, settings, outcome, context, first_rows):
     if context.cancelled:
         raise library.Cancelled()
     before = {name: result.value for name, result in outcome.results.items()}
+    before["first rows"] = first_rows
     began = time.perf_counter()
     value, problems = _RUN[stage](library, model, settings, before, context)
     seconds = time.perf_counter() - began
@@ -192,6 +194,7 @@ def _graph(library, model, settings, before, context):
         settings.stitch_height,
         settings.relax,
         context,
+        before["first rows"],
     )
     if settings.allow_seams:
         graph = library.cut_seams(graph)

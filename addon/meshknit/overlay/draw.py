@@ -48,9 +48,9 @@ def _draw_view():
         else:
             draw_batch(_time_batch(ob, session), lift, ob.matrix_world)
     _draw_rims(session, shown)
-    if shown.show_graph and session is not None and session.value("graph") is not None:
+    if shown.show_graph and session is not None and session.shown_graph() is not None:
         thin, thick = _graph_batches(session)
-        lift = LIFT * stitch_height(session, shown, "graph")
+        lift = LIFT * stitch_height(session, shown, "check")
         draw_batch(thin, lift)
         draw_batch(thick, 1.2 * lift, shader=thick_shader(THICKNESS))
     gpu.state.depth_test_set("NONE")
@@ -104,12 +104,11 @@ def _rim_batch(session):
 
 
 def _graph_batches(session):
-    stale = not session.is_fresh("graph")
+    graph, scale, stale = session.shown_graph()
     signature = (session.drawing_key, stale)
 
     def make():
-        graph = session.results["graph"]
-        thin, thick = overlay_data.graph_lines(graph.value, graph.scale, stale)
+        thin, thick = overlay_data.graph_lines(graph, scale, stale)
         return (
             new_batch("LINES", {"pos": thin.points, "color": thin.colors}),
             new_thick_lines(thick),
@@ -121,11 +120,11 @@ def _graph_batches(session):
 def _draw_legend():
     ob, shown = active_object()
     session = sessions.known_session(ob)
-    if session is None or session.value("graph") is None or not shown.show_graph:
+    if session is None or session.shown_graph() is None or not shown.show_graph:
         return
     import blf
 
-    fresh = session.is_fresh("graph")
+    fresh = not session.shown_graph()[2]
     entries = overlay_data.LEGEND if fresh else (("column", "Knit graph of an earlier state"),)
     scale = bpy.context.preferences.system.ui_scale
     step = LEGEND_STEP * scale

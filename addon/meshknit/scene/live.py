@@ -39,6 +39,7 @@ class _Work:
     settings: object
     matrix: Matrix
     began: float
+    first_rows: object = None  # of the library, for the graph
 
 
 @dataclass
@@ -186,14 +187,22 @@ def _start(context, ob, kind, work):
     known = dict(sessions.session_of(ob).results)
     before = shown(ob).live if shown(ob) is not None else None
     _state.due.discard(kind)
-    job = Job(lambda run: work(library, model, settings, run, known, before), library.RunContext())
-    _work = _Work(kind, compat.object_key(ob), job, model, settings, matrix, time.monotonic())
+    more = (library.FirstRows(),) if kind == GRAPH else ()
+    job = Job(
+        lambda run: work(library, model, settings, run, known, before, *more),
+        library.RunContext(),
+    )
+    _work = _Work(
+        kind, compat.object_key(ob), job, model, settings, matrix, time.monotonic(), *more
+    )
     return True
 
 
 def _while_working(context, ob):
     if ob is None or compat.object_key(ob) != _work.key:
         return
+    if _work.first_rows is not None:
+        _show_first_rows(context, ob)
     if _work.kind != FIELD:
         if sessions.TIMES in _state.changed:
             shown_field.follow(context, ob)
@@ -202,10 +211,20 @@ def _while_working(context, ob):
         shown_field.grey(context, ob)
 
 
+def _show_first_rows(context, ob):
+    """What is knit so far, while the graph is made."""
+    rows = _work.first_rows.take()
+    if rows is not None and len(rows.nodes):
+        sessions.session_of(ob).show_first_rows((rows, _work.model.scale))
+        sessions.redraw(context)
+
+
 def _end_work(context, ob):
     """Publishes what a job found, if it is still about the active object as it is."""
     global _work
     work, _work = _work, None
+    if work.first_rows is not None and ob is not None and compat.object_key(ob) == work.key:
+        sessions.session_of(ob).show_first_rows(None)
     if work.job.error:
         raise RuntimeError(work.job.error)
     gone = ob is None or compat.object_key(ob) != work.key or work.job.value is None

@@ -16,11 +16,24 @@ def read_model(ob, depsgraph, scene, scale=None, size=None):
     mesh = evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)
     try:
         local = positions(mesh)
+        _require_no_instances(ob, mesh, depsgraph)
         if scale is None:
             scale = millimetres_per_unit(ob, local, scene, size)
         return _read(ob, mesh, local, scale)
     finally:
         evaluated.to_mesh_clear()
+
+
+def _require_no_instances(ob, mesh, depsgraph):
+    """Instances are no part of the mesh that is read: an object of nothing else says so."""
+    if len(mesh.polygons):
+        return
+    for shown in depsgraph.object_instances:
+        if shown.is_instance and shown.parent is not None and shown.parent.original == ob:
+            raise UsageError(
+                f"{ob.name} shows instances, which are no mesh of its own: add a Realize Instances "
+                "node, or make them real (Object > Apply)"
+            )
 
 
 def _read(ob, mesh, local, scale):

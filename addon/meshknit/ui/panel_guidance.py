@@ -3,7 +3,7 @@
 import bpy
 
 from .. import compat, names
-from ..core.guidance import GIVE_TIME, SELECT, SUGGEST
+from ..core.guidance import GIVE_TIME, MEND, SELECT, SUGGEST
 from ..scene import live, sessions
 from .panel import KnitPanel
 from .panel_results import ICONS
@@ -55,6 +55,8 @@ class MESHKNIT_PT_guidance(KnitPanel, bpy.types.Panel):
         buttons = box.column(align=True)
         if GIVE_TIME in problem["actions"]:
             buttons.operator(names.OP_GIVE_TIME, icon="TIME").index = index
+        if MEND in problem["actions"]:
+            buttons.operator(names.OP_MEND_TIME, icon="MODIFIER")
         if SELECT in problem["actions"]:
             buttons.operator(names.OP_SELECT_FINDING, text="Show", icon="VIEWZOOM").index = index
         if SUGGEST in problem["actions"]:

@@ -74,13 +74,14 @@ void add_kcode(const Program& program, const MachineProfile& profile, CheckedKni
 }  // namespace
 
 CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>& time,
-                              const RemeshOptions& options, RunContext* run) {
+                              const RemeshOptions& options, RunContext* run,
+                              FirstRows* first_rows) {
   if (has_errors(surface.problems)) throw NotKnittable(surface.problems);
   const TimeFieldCheck field = check_time_field(surface, time);
   if (has_errors(field.problems)) throw NotKnittable(field.problems);
   CheckedGraph result;
   Problems warnings;
-  result.graph = remesh(surface, time, options, run, &warnings);
+  result.graph = remesh(surface, time, options, run, &warnings, first_rows);
   result.check = check_knit_graph(result.graph);
   keep_promise("Remeshing", result.check.problems);
   result.check.problems.insert(result.check.problems.end(), warnings.begin(), warnings.end());

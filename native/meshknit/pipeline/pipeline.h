@@ -32,7 +32,8 @@ struct CheckedGraph {
   std::vector<Seam> seams;  ///< along which the graph is cut
 };
 CheckedGraph build_knit_graph(const Surface& surface, const std::vector<double>& time,
-                              const RemeshOptions& options, RunContext* run = nullptr);
+                              const RemeshOptions& options, RunContext* run = nullptr,
+                              FirstRows* first_rows = nullptr);
 
 /// For a user who will sew: the graph with the seams that it needs (tracing/seams.h), as it was if it
 /// needs none or none would help.

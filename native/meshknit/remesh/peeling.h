@@ -24,6 +24,8 @@ class Peeling {
   /// The next row, or the rows at the next start or saddle.
   /// Throws: NotKnittable; NotInOneRow (junction.h): begin again with these saddles apart.
   void step();
+  /// What is knit so far: rows and columns, without lengths.
+  const KnitGraph& graph() { return peel_.builder.graph(); }
   /// "part-left-out": parts of a dozen stitches and more that no row could reach into.
   Problems warnings() const;
   /// Relaxes (if the options say so) and measures the graph.

@@ -67,11 +67,12 @@ void require_some_rows(const Surface& surface, const RemeshOptions& options) {
 
 KnitGraph peel_all(const Surface& surface, const std::vector<double>& time,
                    const RemeshOptions& options, const std::vector<int>& apart, RunContext* run,
-                   Problems* warnings) {
+                   Problems* warnings, FirstRows* first_rows) {
   Peeling peeling(surface, time, options, apart, run);
   while (!peeling.done()) {
     report(run, share_of_peeling * peeling.progress());
     peeling.step();
+    if (first_rows && first_rows->wanted()) first_rows->offer(peeling.graph());
   }
   if (warnings) *warnings = peeling.warnings();
   return peeling.take_graph([&](double fraction) {
@@ -82,7 +83,8 @@ KnitGraph peel_all(const Surface& surface, const std::vector<double>& time,
 }  // namespace
 
 KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
-                 const RemeshOptions& options, RunContext* run, Problems* warnings) {
+                 const RemeshOptions& options, RunContext* run, Problems* warnings,
+                 FirstRows* first_rows) {
   if (time.size() != surface.mesh.n_vertices())
     throw InvalidInput("remesh: one time per mesh vertex is needed");
   if (!(options.stitch_width > 0.0) || !(options.stitch_height > 0.0))
@@ -94,7 +96,7 @@ KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
   std::optional<KnitGraph> graph;
   while (!graph) {
     try {
-      graph = peel_all(surface, time, options, apart, run, warnings);
+      graph = peel_all(surface, time, options, apart, run, warnings, first_rows);
     } catch (const NotInOneRow& failed) {
       // What cannot part or meet in one row does so in two, at the cost of some distortion (paper,
       // appendix A). Never twice for the same saddles, so this ends.

@@ -5,6 +5,7 @@
 #include "meshknit/core/problem.h"
 #include "meshknit/core/run_context.h"
 #include "meshknit/knit_graph/knit_graph.h"
+#include "meshknit/remesh/first_rows.h"
 #include "meshknit/surface/surface.h"
 
 namespace meshknit {
@@ -26,9 +27,9 @@ struct RemeshOptions {
 /// "too-flat" for less than two rows, "splits-here" and "junction-too-tight" for parts too thin for
 /// the gauge, with the place); InvalidInput; Cancelled.
 /// Ensures: check_knit_graph(result) has no errors. `warnings` (if wanted) says which parts rows
-/// could not reach into ("part-left-out").
+/// could not reach into ("part-left-out"). `first_rows` (if wanted) gets the rows while they are knit.
 KnitGraph remesh(const Surface& surface, const std::vector<double>& time,
                  const RemeshOptions& options = {}, RunContext* run = nullptr,
-                 Problems* warnings = nullptr);
+                 Problems* warnings = nullptr, FirstRows* first_rows = nullptr);
 
 }  // namespace meshknit

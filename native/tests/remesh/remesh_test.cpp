@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "meshknit/core/error.h"
 #include "meshknit/knit_graph/knit_graph_checks.h"
@@ -223,6 +224,19 @@ TEST(Remesh, RefusesArgumentsThatMakeNoSense) {
   EXPECT_THROW(remesh(shape.surface, shape.time, {0.0, 1.73}), InvalidInput);
   EXPECT_THROW(remesh(shape.surface, shape.time, {3.66, -1.0}), InvalidInput);
   EXPECT_THROW(remesh(shape.surface, shape.time, {3.66, std::nan("")}), InvalidInput);
+}
+
+TEST(Remesh, ShowsItsFirstRowsToWhoAsksForThem) {
+  const TimedShape shape = shape_named("straight_tube");
+  FirstRows rows;
+  EXPECT_FALSE(rows.take().has_value()) << "nothing is knit yet; but now rows are asked for";
+  const KnitGraph graph = remesh(shape.surface, shape.time, {}, nullptr, nullptr, &rows);
+  const std::optional<KnitGraph> first = rows.take();
+  ASSERT_TRUE(first.has_value());
+  EXPECT_GT(first->nodes.size(), 0u);
+  EXPECT_LT(first->nodes.size(), graph.nodes.size());
+  for (const auto& column : first->columns)
+    for (const int node : column) EXPECT_LT(node, static_cast<int>(first->nodes.size()));
 }
 
 }  // namespace
