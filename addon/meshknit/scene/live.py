@@ -17,7 +17,7 @@ from ..core.job import Job
 from ..core.live_work import build, find_field, judge
 from ..core.model import Constraint
 from ..core.report import build_report
-from . import sessions, shown_field
+from . import first_rows, sessions, shown_field
 from .edit_mode import active_mesh
 from .shown_field import shown
 
@@ -61,13 +61,6 @@ def progress():
     return None if _work is None else (_work.kind, _work.job.progress)
 
 
-def is_wanted(ob):
-    """True for objects that someone means to knit: others are left in peace."""
-    settings = getattr(ob.data, names.PROPERTIES)
-    marked = settings.constraints or settings.openings or settings.time_source != "CONSTRAINTS"
-    return bool(marked) or sessions.known_session(ob) is not None
-
-
 def draw_chain(ob, vertices, time_of_chain):
     """Shows the field as it would be with one more chain of the active object's vertices, while it is
     drawn. The chain is in no list."""
@@ -80,7 +73,7 @@ def end_chain():
 
 
 def _set_drawn(ob, drawn):
-    if drawn != _state.drawn and (drawn is None or is_wanted(ob)):
+    if drawn != _state.drawn and (drawn is None or sessions.is_wanted(ob)):
         _state.drawn = drawn
         _state.due.update((FIELD, JUDGE, GRAPH))
         _state.last_change = time.monotonic()
@@ -114,7 +107,7 @@ def tick():
             _while_working(context, ob)
             return POLL
         _end_work(context, ob)
-    if ob is None or not is_wanted(ob):
+    if ob is None or not sessions.is_wanted(ob):
         _forget()
         return None
     if sessions.job() is not None:
@@ -202,21 +195,13 @@ def _while_working(context, ob):
     if ob is None or compat.object_key(ob) != _work.key:
         return
     if _work.first_rows is not None:
-        _show_first_rows(context, ob)
+        first_rows.show(context, ob, _work)
     if _work.kind != FIELD:
         if sessions.TIMES in _state.changed:
             shown_field.follow(context, ob)
         sessions.redraw_sidebars(context)
     elif time.monotonic() - _work.began > PATIENCE:
         shown_field.grey(context, ob)
-
-
-def _show_first_rows(context, ob):
-    """What is knit so far, while the graph is made."""
-    rows = _work.first_rows.take()
-    if rows is not None and len(rows.nodes):
-        sessions.session_of(ob).show_first_rows((rows, _work.model.scale))
-        sessions.redraw(context)
 
 
 def _end_work(context, ob):
@@ -270,7 +255,7 @@ _PUBLISH = {FIELD: _publish_field, JUDGE: _publish_judgement, GRAPH: _publish_gr
 
 
 def _on_touch(ob, what):
-    if active_mesh(bpy.context) != ob or not is_wanted(ob):
+    if active_mesh(bpy.context) != ob or not sessions.is_wanted(ob):
         return
     _state.changed.add(what)
     _state.due.update((JUDGE, GRAPH))

@@ -5,7 +5,7 @@ Results live in memory only. What must survive saving and undo is on the mesh.""
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import compat
+from .. import compat, names
 from ..core.errors import UsageError
 from ..core.session import Session
 from ..core.workflow import stage_keys
@@ -62,6 +62,13 @@ def read_inputs(context, ob):
     mode. Throws UsageError."""
     with object_mode(ob):
         return read_as_it_is(context, ob)
+
+
+def is_wanted(ob):
+    """True for objects that someone means to knit: others are left in peace."""
+    settings = getattr(ob.data, names.PROPERTIES)
+    marked = settings.constraints or settings.openings or settings.time_source != "CONSTRAINTS"
+    return bool(marked) or known_session(ob) is not None
 
 
 def read_as_it_is(context, ob):

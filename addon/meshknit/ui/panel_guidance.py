@@ -27,7 +27,7 @@ class MESHKNIT_PT_guidance(KnitPanel, bpy.types.Panel):
         session = sessions.known_session(context.object)
         guidance = session.guidance if session is not None else None
         if guidance is None:
-            if not live.is_wanted(context.object):
+            if not sessions.is_wanted(context.object):
                 draw_text(
                     layout, context, "Give boundaries a time, or let openings and times be chosen:"
                 )
