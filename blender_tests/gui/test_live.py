@@ -104,3 +104,16 @@ def test_suggest_runs_in_the_background_and_can_be_cancelled(user, run):
     user.over_view()
     user.press("Z", ctrl=True)
     assert [tuple(o.location) for o in bpy.context.object.data.meshknit.openings] == before
+
+
+def test_first_rows_are_drawn_while_a_large_graph_is_made(user, run):
+    run(bpy.ops.meshknit.add_trousers)
+    ob = bpy.context.object
+    ob.data.meshknit.size_mode, ob.data.meshknit.size = "SIZE", 800.0
+    known = sessions.session_of(ob)
+    pump_until(lambda: known.first_rows is not None)
+    rows, _ = known.first_rows
+    pump(4)
+    pump_until(lambda: known.is_fresh("graph"))
+    assert 0 < len(rows.nodes) < len(known.value("graph").nodes)
+    assert known.first_rows is None
