@@ -29,25 +29,8 @@ py::dict to_python(const FieldCost& cost) {
 }
 
 py::dict to_python(const Suggestion& suggestion) {
-  py::list openings, times;
-  for (const OpeningMark& opening : suggestion.openings) {
-    py::dict entry;
-    entry["at"] = opening.at;
-    entry["radius"] = opening.radius;
-    openings.append(entry);
-  }
-  for (const TimeMark& mark : suggestion.times) {
-    py::dict entry;
-    entry["time"] = mark.time;
-    if (mark.opening >= 0)
-      entry["opening"] = mark.opening;
-    else
-      entry["boundary_near"] = mark.boundary_near;
-    times.append(entry);
-  }
   py::dict result;
-  result["openings"] = openings;
-  result["times"] = times;
+  put_marks(suggestion.openings, suggestion.times, result);
   result["summary"] = suggestion.summary;
   result["cost"] = to_python(suggestion.cost);
   return result;

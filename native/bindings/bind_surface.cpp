@@ -50,24 +50,7 @@ py::dict shape_to_python(const ExampleShape& shape) {
   py::dict result;
   result["vertices"] = shape.vertices;
   result["faces"] = shape.faces;
-  py::list times, openings;
-  for (const TimeMark& mark : shape.times) {
-    py::dict entry;
-    entry["time"] = mark.time;
-    if (mark.opening >= 0)
-      entry["opening"] = mark.opening;
-    else
-      entry["boundary_near"] = mark.boundary_near;
-    times.append(entry);
-  }
-  for (const OpeningMark& opening : shape.openings) {
-    py::dict entry;
-    entry["at"] = opening.at;
-    entry["radius"] = opening.radius;
-    openings.append(entry);
-  }
-  result["times"] = times;
-  result["openings"] = openings;
+  put_marks(shape.openings, shape.times, result);
   return result;
 }
 

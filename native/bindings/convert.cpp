@@ -1,5 +1,6 @@
 #include "convert.h"
 
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -70,6 +71,28 @@ py::list to_python(const Problems& problems) {
   py::list result;
   for (const Problem& p : problems) result.append(to_python(p));
   return result;
+}
+
+void put_marks(const std::vector<OpeningMark>& openings, const std::vector<TimeMark>& times,
+               py::dict& into) {
+  py::list opening_list, time_list;
+  for (const OpeningMark& opening : openings) {
+    py::dict entry;
+    entry["at"] = opening.at;
+    entry["radius"] = opening.radius;
+    opening_list.append(entry);
+  }
+  for (const TimeMark& mark : times) {
+    py::dict entry;
+    entry["time"] = mark.time;
+    if (mark.opening >= 0)
+      entry["opening"] = mark.opening;
+    else
+      entry["boundary_near"] = mark.boundary_near;
+    time_list.append(entry);
+  }
+  into["openings"] = opening_list;
+  into["times"] = time_list;
 }
 
 py::array_t<double> to_input_order(const Surface& surface, const std::vector<double>& time) {

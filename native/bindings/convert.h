@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "meshknit/core/error.h"
+#include "meshknit/surface/example_shapes.h"
 #include "meshknit/surface/surface.h"
 
 namespace py = pybind11;
@@ -35,6 +36,10 @@ py::array_t<T> to_table(const std::vector<T>& values, py::ssize_t columns) {
   return py::array_t<T>({static_cast<py::ssize_t>(values.size()) / columns, columns},
                         values.data());
 }
+
+/// Puts `openings` and `times` in the form of a marks file (mm) into a dict.
+void put_marks(const std::vector<OpeningMark>& openings, const std::vector<TimeMark>& times,
+               py::dict& into);
 
 /// Field values per input row: vertices that are not part of the surface get NaN.
 py::array_t<double> to_input_order(const Surface& surface, const std::vector<double>& time);
