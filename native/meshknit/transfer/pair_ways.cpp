@@ -95,13 +95,14 @@ void PairWays::measure(const Stack& a, const Stack& b) {
       reached.push_back(s);
     }
   }
-  home_after_.resize(count);
+  allowed_.assign(count, {});
   for (int s = 0; s < count; ++s) {
     for (int p = 0; p < all_passes; ++p) {
       const auto [begin, end] = range(s, p);
-      std::uint8_t least = far;
-      for (int i = begin; i < end; ++i) least = std::min(least, passes_home_[next_[i]]);
-      home_after_[s][p] = least;
+      int least = far;
+      for (int i = begin; i < end; ++i) least = std::min<int>(least, passes_home_[next_[i]]);
+      for (int left = least; left < most_left; ++left)
+        allowed_[s][left] |= std::uint32_t{1} << p;
     }
   }
 }

@@ -26,6 +26,7 @@ class PairWays {
 
   static constexpr int most_racking = 4;
   static constexpr int all_passes = 2 * (2 * most_racking + 1);
+  static constexpr int most_left = most_passes;
   static int number(const Pass& pass) {
     return (pass.from == Bed::back ? 2 * most_racking + 1 : 0) + pass.racking + most_racking;
   }
@@ -33,8 +34,9 @@ class PairWays {
   int size() const { return static_cast<int>(passes_home_.size()); }
   /// State 0 is the beginning.
   int passes_home(int state) const { return passes_home_[state]; }
-  /// The least passes_home after this pass; `far` if the pair does not allow it.
-  int passes_home_after(int state, int pass) const { return home_after_[state][pass]; }
+  /// The passes after which at most `left` more bring the pair home, one bit for each.
+  /// Requires: 0 <= left < most_left.
+  std::uint32_t passes_allowed(int state, int left) const { return allowed_[state][left]; }
   /// The states after a pass: next()[begin..end).
   std::pair<int, int> range(int state, int pass) const {
     const std::size_t at = static_cast<std::size_t>(state) * all_passes + pass;
@@ -52,7 +54,7 @@ class PairWays {
   std::vector<State> states_;
   std::vector<int> begin_, next_;
   std::vector<std::uint8_t> passes_home_;
-  std::vector<std::array<std::uint8_t, all_passes>> home_after_;
+  std::vector<std::array<std::uint32_t, most_left>> allowed_;
 };
 
 /// Ways of pairs, each kind worked out once.

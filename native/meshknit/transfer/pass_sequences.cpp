@@ -46,7 +46,10 @@ PassSequences::PassSequences(const Tube& tube, PairWaysCache& cache)
     kinds.emplace(PairWays::key(a, b, turn, max_racking_),
                   &cache.ways(a, b, turn, max_racking_));
   }
-  for (const auto& kind : kinds) pairs_.push_back(kind.second);
+  for (const auto& kind : kinds) {
+    pairs_.push_back(kind.second);
+    seen_.emplace_back(kind.second->size(), 0);
+  }
 }
 
 int PassSequences::least_length() const {
@@ -73,7 +76,7 @@ void PassSequences::extend(int length, int rolls_left) {
     found_.push_back(passes_);
     return;
   }
-  const std::uint64_t allowed = allowed_passes(depth, left);
+  const std::uint32_t allowed = allowed_passes(depth, left);
   for (const Bed from : {Bed::front, Bed::back}) {
     for (int racking = -max_racking_; racking <= max_racking_; ++racking) {
       const Pass pass{from, racking};
@@ -89,15 +92,12 @@ void PassSequences::extend(int length, int rolls_left) {
 }
 
 // The passes after which every pair could still come home in time, as a bit mask.
-std::uint64_t PassSequences::allowed_passes(std::size_t depth, int left) {
-  std::uint64_t allowed = ~std::uint64_t{0};
-  if (depth > 0) allowed &= ~(std::uint64_t{1} << PairWays::number(passes_.back()));
+std::uint32_t PassSequences::allowed_passes(std::size_t depth, int left) {
+  std::uint32_t allowed = ~std::uint32_t{0};
+  if (depth > 0) allowed &= ~(std::uint32_t{1} << PairWays::number(passes_.back()));
   for (std::size_t i = 0; i < pairs_.size() && allowed != 0; ++i) {
-    std::uint64_t own = 0;
-    for (const int state : states_[depth][i]) {
-      for (int p = 0; p < PairWays::all_passes; ++p)
-        if (pairs_[i]->passes_home_after(state, p) < left) own |= std::uint64_t{1} << p;
-    }
+    std::uint32_t own = 0;
+    for (const int state : states_[depth][i]) own |= pairs_[i]->passes_allowed(state, left - 1);
     looked_at_ += static_cast<int>(states_[depth][i].size());
     allowed &= own;
   }
@@ -108,13 +108,17 @@ void PassSequences::go_on(std::size_t pair, std::size_t depth, int pass, int lef
   const PairWays& ways = *pairs_[pair];
   States& after = states_[depth + 1][pair];
   after.clear();
+  std::vector<int>& seen = seen_[pair];
+  ++round_;
   for (const int state : states_[depth][pair]) {
     const auto [begin, end] = ways.range(state, pass);
-    for (int i = begin; i < end; ++i)
-      if (ways.passes_home(ways.next()[i]) <= left) after.push_back(ways.next()[i]);
+    for (int i = begin; i < end; ++i) {
+      const int next = ways.next()[i];
+      if (seen[next] == round_ || ways.passes_home(next) > left) continue;
+      seen[next] = round_;
+      after.push_back(next);
+    }
   }
-  std::sort(after.begin(), after.end());
-  after.erase(std::unique(after.begin(), after.end()), after.end());
 }
 
 namespace {

@@ -25,10 +25,10 @@ class PassSequences {
   bool gave_up() const { return looked_at_ > most_looked_at; }
 
  private:
-  static constexpr int most_looked_at = 20000;  // states: bounds the time of one length
+  static constexpr int most_looked_at = 50000;  // states: bounds the time of one length
 
   void extend(int length, int rolls_left);
-  std::uint64_t allowed_passes(std::size_t depth, int left);
+  std::uint32_t allowed_passes(std::size_t depth, int left);
   void go_on(std::size_t pair, std::size_t depth, int pass, int left);
 
   std::vector<const PairWays*> pairs_;
@@ -37,6 +37,8 @@ class PassSequences {
   int looked_at_ = 0;
   Passes passes_;
   std::vector<std::vector<std::vector<int>>> states_;  // [passes so far][pair]
+  std::vector<std::vector<int>> seen_;  // of each pair: the round a state was found in
+  int round_ = 0;
   std::vector<Passes> found_;
 };
 

@@ -11,6 +11,7 @@
 #include "meshknit/transfer/pass_search.h"
 #include "meshknit/transfer/three_passes.h"
 #include "meshknit/transfer/transfer_checks.h"
+#include "meshknit/transfer/turning.h"
 
 namespace meshknit {
 namespace {
@@ -132,6 +133,17 @@ std::optional<TransferPlan> cheapest_plan(const Tube& tube, PairWaysCache& cache
   return planner.best;
 }
 
+// Turns as long as many loops must go round the ends, and then the cheapest plan.
+std::optional<TransferPlan> plan_in_turns(Tube tube, PairWaysCache& cache) {
+  TransferPlan plan;
+  while (const std::optional<PassPlan> turn = turn_by_two(tube, cache))
+    advance(tube, *turn, plan);
+  const std::optional<TransferPlan> rest = cheapest_plan(tube, cache);
+  if (!rest) return std::nullopt;
+  plan.transfers.insert(plan.transfers.end(), rest->transfers.begin(), rest->transfers.end());
+  return plan;
+}
+
 }  // namespace
 
 TransferPlan plan_transfers(const TransferProblem& problem) {
@@ -145,7 +157,7 @@ TransferPlan TransferPlanner::plan(const TransferProblem& problem) {
   if (Problems stretched = stretched_layouts(problem); !stretched.empty())
     throw NotKnittable(std::move(stretched));
 
-  const std::optional<TransferPlan> found = cheapest_plan(make_tube(problem), cache_);
+  const std::optional<TransferPlan> found = plan_in_turns(make_tube(problem), cache_);
   if (!found) throw no_way();
   const TransferPlan& plan = *found;
   if (const Problems broken = check_transfer_plan(problem, plan); !broken.empty())

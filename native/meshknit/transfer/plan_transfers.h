@@ -10,8 +10,8 @@ namespace meshknit {
 class TransferPlanner {
  public:
   /// The cheapest plan of the known ways: passes first, then racking travel, then transfers.
-  /// Local moves are searched for first, collapse-shift-expand is the fallback (knitout primer,
-  /// section 4).
+  /// A tube that many loops must go round is turned first (transfer/turning.h), then local moves
+  /// are searched for; collapse-shift-expand is the fallback (knitout primer, section 4).
   /// Throws: InvalidInput if the problem is not of the form that TransferProblem requires;
   /// NotKnittable (code "transfer-impossible") if no plan keeps the limits.
   /// Ensures: check_transfer_plan(problem, result) finds nothing.

@@ -88,5 +88,25 @@ TEST(CollapseShiftExpand, AnOrderThatItCannotGiveIsLeftAlone) {
   EXPECT_FALSE(tube.arrived());
 }
 
+// What the primer measured of the published planner (section 4.1), on tubes of 12 to 48 loops. A
+// yardstick that needs more passes than it would flatter our plans.
+TEST(CollapseShiftExpand, TakesThePassesOfThePublishedPlanner) {
+  for (const int width : {6, 12, 24}) {
+    const std::vector<int> still = zeros(width), gap = step(width / 2, width / 2, 1),
+                           decrease = step(width / 2, width / 2, -1);
+    const auto passes = [](const TransferProblem& problem) {
+      return count_slider_passes(whole_plan(problem));
+    };
+    EXPECT_EQ(passes(rolled(width, 0, 1)), 4) << width;
+    EXPECT_EQ(passes(rolled(width, 0, 6)), 8) << width;   // the primer: 8-12
+    EXPECT_EQ(passes(rolled(width, 1, 0)), 10) << width;  // 10-11
+    EXPECT_GE(passes(rolled(width, 2, 0)), 12) << width;  // 12-20
+    EXPECT_LE(passes(rolled(width, 2, 0)), 20) << width;
+    EXPECT_EQ(passes(offsets(decrease, decrease)), 6) << width;
+    EXPECT_EQ(passes(offsets(gap, still)), 5) << width;  // 5-6
+    EXPECT_EQ(passes(offsets(gap, gap)), 6) << width;
+  }
+}
+
 }  // namespace
 }  // namespace meshknit

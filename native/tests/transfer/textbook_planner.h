@@ -16,4 +16,10 @@ struct TextbookPlan {
 /// Ensures: if it arrived, check_transfer_plan finds nothing.
 TextbookPlan collapse_shift_expand_alone(const TransferProblem& problem);
 
+/// Passes of a plan on a machine with sliders, as the method was published and its figures are
+/// given (knitout primer, section 4): a pass is transfers of one kind at one racking, hook to
+/// slider, slider to hook, or hook to hook. Parked loops are those on sliders. In half gauge
+/// (count_passes) parking needles are hooks like any other, and kinds share passes.
+int count_slider_passes(const TransferPlan& plan);
+
 }  // namespace meshknit
