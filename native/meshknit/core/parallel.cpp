@@ -2,18 +2,30 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace meshknit {
 namespace {
 
-class Shared {
+// Helpings come in quick succession: a thread looks so often whether there is another one before it
+// lies down to sleep, from which it takes long to wake.
+constexpr int looks = 300;
+
+template <class Done>
+void look_a_while(const Done& done) {
+  for (int k = 0; k < looks && !done(); ++k) std::this_thread::yield();
+}
+
+// One helping of work.
+class Helping {
  public:
-  Shared(int count, const std::function<void(int, int)>& work) : count_(count), work_(work) {}
+  Helping(int count, const std::function<void(int, int)>& work) : count_(count), work_(work) {}
 
   void take_part(int worker) {
     // What was taken is done, so that all before the first to fail is.
@@ -53,25 +65,76 @@ class Shared {
 
 }  // namespace
 
-int workers_for(int count) {
-  const int processors = static_cast<int>(std::thread::hardware_concurrency());
-  return std::max(1, std::min(count, processors));
-}
-
-void for_each_in_parallel(int count, const std::function<void(int, int)>& work) {
-  Shared shared(count, work);
-  const int workers = workers_for(count);
+struct Team::Threads {
+  std::mutex mutex;
+  std::condition_variable wake, rest;
+  Helping* helping = nullptr;  // the one that is open
+  std::atomic<int> number{0};  // of the helpings so far
+  std::atomic<int> at_work{0};
+  std::atomic<bool> go_home{false};
   std::vector<std::thread> others;
-  others.reserve(static_cast<std::size_t>(workers));
+
+  void help(int worker) {
+    int seen = 0;
+    for (;;) {
+      look_a_while([&] { return go_home || number != seen; });
+      std::unique_lock<std::mutex> lock(mutex);
+      wake.wait(lock, [&] { return go_home || (helping != nullptr && number != seen); });
+      if (go_home) return;
+      seen = number;
+      Helping& mine = *helping;
+      ++at_work;
+      lock.unlock();
+      mine.take_part(worker);
+      lock.lock();
+      if (--at_work == 0) rest.notify_one();
+    }
+  }
+};
+
+Team::Team(int most) : threads_(std::make_unique<Threads>()) {
+  const int workers = std::min(most, static_cast<int>(std::thread::hardware_concurrency()));
+  std::vector<std::thread>& others = threads_->others;
+  others.reserve(static_cast<std::size_t>(std::max(0, workers)));
   try {
     for (int worker = 1; worker < workers; ++worker)
-      others.emplace_back(&Shared::take_part, &shared, worker);
+      others.emplace_back(&Threads::help, threads_.get(), worker);
   } catch (const std::system_error&) {
     // The system gives no more threads: those that there are do all of the work.
   }
-  shared.take_part(0);
-  for (std::thread& other : others) other.join();
-  shared.rethrow();
+}
+
+Team::~Team() {
+  {
+    const std::lock_guard<std::mutex> lock(threads_->mutex);
+    threads_->go_home = true;
+  }
+  threads_->wake.notify_all();
+  for (std::thread& other : threads_->others) other.join();
+}
+
+int Team::workers() const { return 1 + static_cast<int>(threads_->others.size()); }
+
+void Team::for_each(int count, const std::function<void(int, int)>& work) {
+  Threads& t = *threads_;
+  Helping helping(count, work);
+  const bool shared = count > 1 && !t.others.empty();
+  if (shared) {
+    {
+      const std::lock_guard<std::mutex> lock(t.mutex);
+      t.helping = &helping;
+      ++t.number;
+    }
+    t.wake.notify_all();
+  }
+  helping.take_part(0);
+  if (shared) {
+    look_a_while([&] { return t.at_work == 0; });
+    std::unique_lock<std::mutex> lock(t.mutex);
+    t.helping = nullptr;
+    t.rest.wait(lock, [&] { return t.at_work == 0; });
+  }
+  helping.rethrow();
 }
 
 }  // namespace meshknit

@@ -1,18 +1,35 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 namespace meshknit {
 
-/// On how many threads for_each_in_parallel works: one for each processor that this process may use,
-/// but no more than there are things to do. At least 1.
-int workers_for(int count);
+/// Threads that share work, plain std::threads. They live as long as the team: for work that comes in
+/// many small helpings they need not be made again each time.
+class Team {
+ public:
+  /// As many workers as there are processors that this process may use, but no more than `most`. The
+  /// caller's own thread is worker 0 and, where the system gives no other, the only one.
+  explicit Team(int most);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
 
-/// Calls work(k, worker) once for every k in [0, count), on workers_for(count) threads. They begin in
-/// the order of k. The caller's own thread is worker 0 and, where no other can be had, the only one.
-/// Scratch may be kept for each worker; what is computed for k must not depend on the worker.
-/// Throws: what the work for the lowest k throws that throws at all, as a plain loop would; work that
-/// was begun before is done then, and what comes after may or may not be.
-void for_each_in_parallel(int count, const std::function<void(int k, int worker)>& work);
+  /// At least 1.
+  int workers() const;
+
+  /// Calls work(k, worker) once for every k in [0, count); calls begin in the order of k. Scratch may be
+  /// kept for each worker; what is computed for k must not depend on who computes it. Nobody waits for
+  /// a thread that has not begun: on a busy machine the caller does all of the work.
+  /// Throws: what the work for the lowest k throws that throws at all, as a plain loop would; work
+  /// that was begun before is done then, and what comes after may or may not be.
+  /// Requires: not called from within work, and by one thread at a time.
+  void for_each(int count, const std::function<void(int k, int worker)>& work);
+
+ private:
+  struct Threads;
+  std::unique_ptr<Threads> threads_;
+};
 
 }  // namespace meshknit

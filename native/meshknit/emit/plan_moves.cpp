@@ -36,9 +36,10 @@ std::vector<TransferPlan> plan_moves(const StitchTrace& trace, const Schedule& s
   const std::vector<ScheduleStep>& steps = schedule.steps;
   const int count = static_cast<int>(steps.size());
   std::vector<TransferPlan> plans(steps.size());
+  Team team(count);
   // A planner each: what one learns makes the next plan faster, never another.
-  std::vector<TransferPlanner> planners(static_cast<std::size_t>(workers_for(count)));
-  for_each_in_parallel(count, [&](int i, int worker) {
+  std::vector<TransferPlanner> planners(static_cast<std::size_t>(team.workers()));
+  team.for_each(count, [&](int i, int worker) {
     if (worker == 0) report(run, static_cast<double>(i) / count);
     const ScheduleStep& step = steps[i];
     try {

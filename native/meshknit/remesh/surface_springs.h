@@ -36,7 +36,8 @@ class SurfaceSprings {
   }
 
   /// Moves the `movable` points so that springs come nearer to their length. None leaves the
-  /// surface. `progress` is told the fraction that is done and may throw.
+  /// surface. `progress` is told the fraction that is done and may throw. Many points are moved on
+  /// several threads (core/parallel.h), to the places that one would find.
   void relax(const std::vector<Spring>& springs, const std::vector<int>& movable, int rounds,
              const std::function<void(double)>& progress = {});
 
@@ -52,6 +53,7 @@ class SurfaceSprings {
 
   Force force(const Spring& spring) const;
   bool bends(int a, int b) const;
+  void pull(int point, double least_move);
 
   const TriangleMesh& mesh_;
   std::vector<FacePoint> points_;

@@ -51,22 +51,25 @@ FacePoint walk(const TriangleMesh& mesh, const FacePoint& from, const Eigen::Vec
   Corners c = corners_of(mesh, at.face);
   for (int step = 0; step < most_triangles; ++step) {
     if (entered < 0) rest -= c.normal * (rest.dot(c.normal) / c.normal.squaredNorm());
-    const Eigen::Vector3d here = weights(c, at.position),
-                          there = weights(c, at.position + rest);
+    const Eigen::Vector3d there = weights(c, at.position + rest);
+    const auto leaves = [&](int k) {
+      return there[k] < -on_edge && c.out[(k + 1) % 3].idx() != entered;
+    };
+    if (!leaves(0) && !leaves(1) && !leaves(2)) {
+      at.position += rest;
+      return at;
+    }
     // Weight k falls to zero at the edge opposite corner k, which starts at corner k + 1.
+    const Eigen::Vector3d here = weights(c, at.position);
     double least = 1.0;
     int leave = -1;
     for (int k = 0; k < 3; ++k) {
-      if (there[k] >= -on_edge || c.out[(k + 1) % 3].idx() == entered) continue;
+      if (!leaves(k)) continue;
       const double part = here[k] > 0.0 ? here[k] / (here[k] - there[k]) : 0.0;
       if (leave < 0 || part < least) {
         least = part;
         leave = k;
       }
-    }
-    if (leave < 0) {
-      at.position += rest;
-      return at;
     }
     const auto h = c.out[(leave + 1) % 3];
     const auto back = mesh.opposite_halfedge_handle(h);

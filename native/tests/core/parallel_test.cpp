@@ -10,17 +10,18 @@
 namespace meshknit {
 namespace {
 
-TEST(Parallel, DoesEverythingOnce) {
+TEST(Team, DoesEverythingOnce) {
   std::vector<int> done(1000, 0);
-  for_each_in_parallel(1000, [&](int k, int) { ++done[k]; });
+  Team(8).for_each(1000, [&](int k, int) { ++done[k]; });
   EXPECT_EQ(done, std::vector<int>(1000, 1));
-  for_each_in_parallel(0, [&](int, int) { FAIL() << "there is nothing to do"; });
+  Team(8).for_each(0, [&](int, int) { FAIL() << "there is nothing to do"; });
 }
 
-TEST(Parallel, NoTwoThreadsAreTheSameWorker) {
-  std::vector<int> at_work(static_cast<std::size_t>(workers_for(200)), 0);
+TEST(Team, NoTwoThreadsAreTheSameWorker) {
+  Team team(200);
+  std::vector<int> at_work(static_cast<std::size_t>(team.workers()), 0);
   std::vector<int> done(at_work.size(), 0);
-  for_each_in_parallel(200, [&](int, int worker) {
+  team.for_each(200, [&](int, int worker) {
     EXPECT_EQ(at_work.at(worker)++, 0);
     ++done[worker];
     --at_work[worker];
@@ -31,11 +32,11 @@ TEST(Parallel, NoTwoThreadsAreTheSameWorker) {
 }
 
 // Two fail; whichever happens to fail first, the plain loop's failure is told.
-TEST(Parallel, ToldOfTheFirstFailureInOrder) {
+TEST(Team, ToldOfTheFirstFailureInOrder) {
   for (int round = 0; round < 200; ++round) {
     std::atomic<int> spun{0};
     try {
-      for_each_in_parallel(8, [&](int k, int) {
+      Team(8).for_each(8, [&](int k, int) {
         // The first to fail takes longer than the second.
         while (k == 2 && ++spun < 2000) {
         }
@@ -48,13 +49,24 @@ TEST(Parallel, ToldOfTheFirstFailureInOrder) {
   }
 }
 
-TEST(Parallel, StopsAfterAFailure) {
+// The rounds of a relaxation: what one helping leaves is there for the next.
+TEST(Team, WorkComesInManyHelpings) {
+  Team team(3);
+  std::vector<int> values(64, 0);
+  for (int round = 0; round < 500; ++round) {
+    const std::vector<int> before = values;
+    team.for_each(64, [&](int k, int) { values[k] = before[(k + 1) % 64] + 1; });
+  }
+  EXPECT_EQ(values, std::vector<int>(64, 500));
+}
+
+TEST(Team, StopsAfterAFailure) {
   std::atomic<int> begun{0};
-  EXPECT_THROW(for_each_in_parallel(1000000,
-                                    [&](int k, int) {
-                                      ++begun;
-                                      if (k == 10) throw std::runtime_error("enough");
-                                    }),
+  EXPECT_THROW(Team(8).for_each(1000000,
+                                [&](int k, int) {
+                                  ++begun;
+                                  if (k == 10) throw std::runtime_error("enough");
+                                }),
                std::runtime_error);
   EXPECT_LT(begun, 1000000);
 }
