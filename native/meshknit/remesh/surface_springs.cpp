@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "meshknit/core/parallel.h"
-#include "meshknit/remesh/walk.h"
 
 namespace meshknit {
 namespace {
@@ -36,16 +35,21 @@ void in_batches(Team& team, int count, const Work& work) {
 
 void SurfaceSprings::add(const FacePoint& at) {
   points_.push_back(at);
-  normals_.push_back(face_normal(mesh_, at.face));
+  corners_.push_back(triangle_corners(mesh_, at.face));
+  normals_.push_back(corners_.back().normal.normalized());
 }
 
 void SurfaceSprings::shrink(int size) {
   points_.resize(size);
+  corners_.resize(size);
   normals_.resize(size);
 }
 
 void SurfaceSprings::move(int i, const FacePoint& to) {
-  if (to.face != points_[i].face) normals_[i] = face_normal(mesh_, to.face);
+  if (to.face != points_[i].face) {
+    corners_[i] = triangle_corners(mesh_, to.face);
+    normals_[i] = corners_[i].normal.normalized();
+  }
   points_[i] = to;
 }
 
@@ -117,9 +121,10 @@ void SurfaceSprings::pull(int i, double least_move) {
   m.pull = carried_on * m.pull + m.force;
   m.moved = false;
   if (m.pull.squaredNorm() < least_move * least_move) return;
-  const FacePoint to = walk(mesh_, points_[i], m.pull);
+  const FacePoint to = walk(mesh_, points_[i], m.pull, corners_[i]);
   if (to.face < 0) return;  // over a rim: the rows there are the boundaries' own
-  move(i, to);
+  if (to.face != points_[i].face) normals_[i] = corners_[i].normal.normalized();
+  points_[i] = to;
   m.moved = true;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "meshknit/remesh/section_length.h"
+#include "meshknit/remesh/walk.h"
 #include "meshknit/surface/triangle_mesh.h"
 
 namespace meshknit {
@@ -57,7 +58,8 @@ class SurfaceSprings {
 
   const TriangleMesh& mesh_;
   std::vector<FacePoint> points_;
-  std::vector<Eigen::Vector3d> normals_;  // of the points' triangles
+  std::vector<TriangleCorners> corners_;  // of the points' triangles
+  std::vector<Eigen::Vector3d> normals_;  // unit normals of these
   std::vector<Motion> motion_;            // scratch of relax
 };
 
