@@ -9,8 +9,8 @@ namespace meshknit {
 /// many small helpings they need not be made again each time.
 class Team {
  public:
-  /// As many workers as there are processors that this process may use, but no more than `most`. The
-  /// caller's own thread is worker 0 and, where the system gives no other, the only one.
+  /// As many workers as the machine has processors, but no more than `most`. The caller's own thread is
+  /// worker 0 and, where the system gives no other, the only one.
   explicit Team(int most);
   ~Team();
   Team(const Team&) = delete;
