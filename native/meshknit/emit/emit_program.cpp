@@ -4,10 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "meshknit/core/error.h"
 #include "meshknit/emit/carriers.h"
+#include "meshknit/emit/plan_moves.h"
 #include "meshknit/emit/program_builder.h"
-#include "meshknit/emit/step_transfers.h"
 #include "meshknit/emit/waste_yarn.h"
 #include "meshknit/emit/yarn_ends.h"
 
@@ -33,25 +32,6 @@ Program header(const MachineProfile& profile) {
   return program;
 }
 
-[[noreturn]] void refuse_transfers(const StitchTrace& trace, const ScheduleStep& step) {
-  Problem problem;
-  problem.code = "transfer-impossible";
-  problem.message = "The loops cannot be moved to where the row that begins with stitch " +
-                    std::to_string(step.first_stitch) + " needs them.";
-  problem.remedy = "Make the width of the object change more slowly there.";
-  for (size_t i = 0; i < step.before.size(); ++i) {
-    if (step.before_hooks[i] == step.moved_hooks[i]) continue;
-    for (const LoopName& loop : step.before[i]) {
-      problem.elements.stitches.push_back(loop.stitch);
-      problem.elements.nodes.push_back(trace.stitches[loop.stitch].node);
-    }
-  }
-  std::vector<int>& nodes = problem.elements.nodes;
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  throw NotKnittable({problem});
-}
-
 class Emitter {
  public:
   Emitter(const StitchTrace& trace, const Schedule& schedule, const MachineProfile& profile)
@@ -62,15 +42,15 @@ class Emitter {
         program_(header(profile)) {}
 
   Program run(RunContext* run) {
+    const std::vector<TransferPlan> moves = plan_moves(trace_, schedule_, profile_, run);
     const std::vector<ScheduleStep>& steps = schedule_.steps;
     auto end = schedule_.ends.begin();
     for (size_t i = 0; i < steps.size(); ++i) {
-      report(run, static_cast<double>(i) / static_cast<double>(steps.size()));
       if (steps[i].before.front().front().stitch < 0) {
         clear_room(steps[i]);
         knit_waste_before(program_, profile_, steps[i].before_hooks, room_of(steps[i]));
       }
-      move_loops(steps[i]);
+      move_loops(moves[i]);
       for (int s = steps[i].first_stitch; s <= steps[i].last_stitch; ++s)
         make_stitch(steps[i], s);
       age_anchors(steps[i]);
@@ -94,20 +74,11 @@ class Emitter {
     return {step.lowest_place, step.highest_place};
   }
 
-  void move_loops(const ScheduleStep& step) {
-    const TransferPlan plan = plan_moves(step);
+  void move_loops(const TransferPlan& plan) {
     // Anchors lie on parked needles, which transfers need.
     if (!plan.transfers.empty()) drop_anchors([](const Anchors&) { return true; });
     for (const Transfer& transfer : plan.transfers)
       program_.transfer(half_gauge_needle(transfer.from), half_gauge_needle(transfer.to));
-  }
-
-  TransferPlan plan_moves(const ScheduleStep& step) {
-    try {
-      return plan_step_transfers(step, transfer_direction(trace_, step), profile_, planner_);
-    } catch (const NotKnittable&) {
-      refuse_transfers(trace_, step);  // the planner knows loops by number, a modeler by node
-    }
   }
 
   void make_stitch(const ScheduleStep& step, int s) {
@@ -167,7 +138,6 @@ class Emitter {
   const MachineProfile& profile_;
   std::vector<YarnUse> yarns_;
   ProgramBuilder program_;
-  TransferPlanner planner_;
   std::vector<Anchors> anchors_;  // that lie on the beds
 };
 

@@ -20,6 +20,10 @@ constexpr double graze = 0.01;
 // A vertex with more angle than this around it casts a shadow that straight rays do not reach.
 constexpr double angle_excess = 0.01;
 
+// Rays are passed on in the order of their distance. Only those of one step of the way to the limit are
+// kept sorted: one heap of all would be an order of magnitude larger, and slower.
+constexpr int count_of_steps = 1024;
+
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vector2d left_of(const Vector2d& a) { return {-a.y(), a.x()}; }
 
@@ -44,11 +48,13 @@ GeodesicBand::GeodesicBand(const PeelState& state, const KnitLimits& limits)
       nearest_(state.mesh.n_vertices(), 0),
       cycle_of_edge_(state.mesh.n_edges(), -1),
       place_on_edge_(state.mesh.n_edges(), 0.0),
-      bends_(state.mesh.n_vertices(), 0) {
+      apex_(state.mesh.n_halfedges(), Vector2d::Zero()),
+      bends_(state.mesh.n_vertices(), 0),
+      steps_(count_of_steps) {
   std::vector<double> angle(state.mesh.n_vertices(), 0.0);
   for (const auto h : state.mesh.halfedges()) {
     if (state.mesh.is_boundary(h)) continue;
-    const Vector2d c = apex(h.idx());
+    const Vector2d c = apex_[h.idx()] = find_apex(h.idx());
     angle[state.from(h.idx())] += std::atan2(c.y(), c.x());
   }
   for (const auto v : state.mesh.vertices()) {
@@ -63,7 +69,7 @@ void GeodesicBand::measure(const std::vector<const Cycle*>& cycles, double limit
   reached_.clear();
   crossed_.clear();
   windows_.clear();
-  heap_.clear();
+  step_ = -1;
   limit_ = limit;
   const int count = static_cast<int>(cycles.size());
   for (int k = 0; k < count; ++k)
@@ -77,21 +83,25 @@ void GeodesicBand::measure(const std::vector<const Cycle*>& cycles, double limit
     for (int i = 0; i < cycles[k]->size(); ++i) launch_piece(*cycles[k], k, i);
   for (int k = 0; k < count; ++k)
     for (int i = 0; i < cycles[k]->size(); ++i) launch_corner(*cycles[k], k, i);
-  while (!heap_.empty()) {
-    const Event next = heap_.front();
-    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
-    heap_.pop_back();
-    if (next.what >= 0) {
-      const Window window = windows_[next.what];
-      propagate(window);
-    } else if (next.distance <= distance_[-1 - next.what]) {
-      launch_vertex(-1 - next.what);
+  for (step_ = 0; step_ < count_of_steps; ++step_) {
+    std::vector<Event>& step = steps_[step_];
+    std::make_heap(step.begin(), step.end(), std::greater<>());
+    while (!step.empty()) {
+      const Event next = step.front();
+      std::pop_heap(step.begin(), step.end(), std::greater<>());
+      step.pop_back();
+      if (next.what >= 0) {
+        const Window window = windows_[next.what];
+        propagate(window);
+      } else if (next.distance <= distance_[-1 - next.what]) {
+        launch_vertex(-1 - next.what);
+      }
     }
   }
   std::sort(reached_.begin(), reached_.end());
 }
 
-Vector2d GeodesicBand::apex(int halfedge) const {
+Vector2d GeodesicBand::find_apex(int halfedge) const {
   const auto next = state_.mesh.next_halfedge_handle(HalfedgeHandle(halfedge));
   const double l = state_.length(halfedge);
   const double far = state_.length(next.idx());
@@ -111,8 +121,12 @@ bool GeodesicBand::open_range(int halfedge, double& begin, double& end) const {
 }
 
 void GeodesicBand::push(const Event& event) {
-  heap_.push_back(event);
-  std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
+  // What comes of a step is never nearer, but for rounding.
+  const int number = std::clamp(static_cast<int>(event.distance / limit_ * count_of_steps),
+                                std::max(step_, 0), count_of_steps - 1);
+  std::vector<Event>& step = steps_[number];
+  step.push_back(event);
+  if (number == step_) std::push_heap(step.begin(), step.end(), std::greater<>());
 }
 
 void GeodesicBand::improve(int vertex, double distance, double foot, int cycle) {

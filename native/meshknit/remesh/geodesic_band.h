@@ -72,7 +72,8 @@ class GeodesicBand {
   void improve(int vertex, double distance, double foot, int cycle);
   void push(const Event& event);
   bool open_range(int halfedge, double& begin, double& end) const;
-  Eigen::Vector2d apex(int halfedge) const;
+  const Eigen::Vector2d& apex(int halfedge) const { return apex_[halfedge]; }
+  Eigen::Vector2d find_apex(int halfedge) const;
 
   const PeelState& state_;
   const KnitLimits& limits_;
@@ -80,11 +81,13 @@ class GeodesicBand {
   std::vector<int> nearest_;
   std::vector<int> cycle_of_edge_;
   std::vector<double> place_on_edge_;
-  std::vector<int> crossed_;  // edges of the cycles
-  std::vector<char> bends_;   // vertices with more than a full turn round them
+  std::vector<int> crossed_;           // edges of the cycles
+  std::vector<Eigen::Vector2d> apex_;  // per half edge: the third corner, in its frame
+  std::vector<char> bends_;            // vertices with more than a full turn round them
   std::vector<int> reached_;
   std::vector<Window> windows_;
-  std::vector<Event> heap_;
+  std::vector<std::vector<Event>> steps_;  // by distance, out to the limit
+  int step_ = 0;                           // the one that is being passed on
   double limit_ = 0.0;
 };
 

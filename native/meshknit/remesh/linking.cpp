@@ -34,8 +34,12 @@ class RowLinker {
     lay_band(half_width);
     cells_.assign(offset_.back(), Cell{});
     at(0, 0)->cost[one_to_one] = 0.0;
-    for (int i = 0; i <= m_; ++i)
+    weigh_row(0);
+    for (int i = 0; i <= m_; ++i) {
+      std::swap(here_, above_);
+      if (i + 1 < m_) weigh_row(i + 1);
       for (int j = low_[i]; j <= high_[i]; ++j) advance(i, j);
+    }
     const Cell* end = at(m_, n_);
     if (!end) return infinity;
     last_ = static_cast<Move>(std::min_element(end->cost, end->cost + 3) - end->cost);
@@ -104,9 +108,21 @@ class RowLinker {
   }
   const Cell* at(int i, int j) const { return const_cast<RowLinker*>(this)->at(i, j); }
 
-  double link(int i, int j) const {
-    const double gap = p_.gap[next_at(j)], side = sideways(p_, active_at(i), next_at(j));
-    return (gap * gap + side * side) / (p_.row_height * p_.row_height);
+  // What links of an active node cost, to the next nodes from `first` on.
+  struct RowCosts {
+    int first = 0;
+    std::vector<double> cost;
+    double operator[](int j) const { return cost[j - first]; }
+  };
+
+  // All links of a node that the band and the rows before and after it ask for.
+  void weigh_row(int i) {
+    above_.first = low_[std::max(0, i - 1)];
+    above_.cost.clear();
+    for (int j = above_.first; j <= high_[i] + 1; ++j) {
+      const double gap = p_.gap[next_at(j)], side = sideways(p_, active_at(i), next_at(j));
+      above_.cost.push_back((gap * gap + side * side) / (p_.row_height * p_.row_height));
+    }
   }
 
   void advance(int i, int j) {
@@ -114,12 +130,11 @@ class RowLinker {
     if (*std::min_element(here->cost, here->cost + 3) == infinity) return;
     const auto active_single = [&](int k) { return p_.active_single[active_at(k)]; };
     const auto next_single = [&](int k) { return p_.next_single[next_at(k)]; };
-    if (i < m_ && j < n_) reach(i, j, i + 1, j + 1, one_to_one, link(i, j));
+    if (i < m_ && j < n_) reach(i, j, i + 1, j + 1, one_to_one, here_[j]);
     if (i < m_ && j + 1 < n_ && !active_single(i) && !next_single(j) && !next_single(j + 1))
-      reach(i, j, i + 1, j + 2, one_to_two, link(i, j) + link(i, j + 1) + stacked(i));
+      reach(i, j, i + 1, j + 2, one_to_two, here_[j] + here_[j + 1] + stacked(i));
     if (i + 1 < m_ && j < n_ && !active_single(i) && !active_single(i + 1) && !next_single(j))
-      reach(i, j, i + 2, j + 1, two_to_one,
-            link(i, j) + link(i + 1, j) + stacked(i) + stacked(i + 1));
+      reach(i, j, i + 2, j + 1, two_to_one, here_[j] + above_[j] + stacked(i) + stacked(i + 1));
   }
   double stacked(int i) const { return p_.active_shaped[active_at(i)] ? above_shaping : 0.0; }
 
@@ -141,6 +156,7 @@ class RowLinker {
   int m_, n_, first_active_, first_next_;
   std::vector<int> low_, high_, offset_;
   std::vector<Cell> cells_;
+  RowCosts here_, above_;  // of the active node that is being linked, and of the next one
   Move last_ = none;
 };
 

@@ -25,7 +25,13 @@ struct Section {
 /// round the plane are tried. The straight way where the section leaves the surface.
 /// Requires: two points in different places.
 Section section(const TriangleMesh& mesh, const FacePoint& from, const FacePoint& to);
+/// The same with the sum of the two triangles' unit normals, for whoever has it already.
+Section section(const TriangleMesh& mesh, const FacePoint& from, const FacePoint& to,
+                const Eigen::Vector3d& normal);
 /// Its length alone; zero for two points in one place.
 double section_length(const TriangleMesh& mesh, const FacePoint& from, const FacePoint& to);
+
+/// Unit normal of a triangle.
+Eigen::Vector3d face_normal(const TriangleMesh& mesh, int face);
 
 }  // namespace meshknit

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "meshknit/remesh/section_length.h"
+#include "meshknit/remesh/walk.h"
 #include "meshknit/surface/triangle_mesh.h"
 
 namespace meshknit {
@@ -36,7 +37,8 @@ class SurfaceSprings {
   }
 
   /// Moves the `movable` points so that springs come nearer to their length. None leaves the
-  /// surface. `progress` is told the fraction that is done and may throw.
+  /// surface. `progress` is told the fraction that is done and may throw. Many points are moved on
+  /// several threads (core/parallel.h), to the places that one would find.
   void relax(const std::vector<Spring>& springs, const std::vector<int>& movable, int rounds,
              const std::function<void(double)>& progress = {});
 
@@ -52,10 +54,12 @@ class SurfaceSprings {
 
   Force force(const Spring& spring) const;
   bool bends(int a, int b) const;
+  void pull(int point, double least_move);
 
   const TriangleMesh& mesh_;
   std::vector<FacePoint> points_;
-  std::vector<Eigen::Vector3d> normals_;  // of the points' triangles
+  std::vector<TriangleCorners> corners_;  // of the points' triangles
+  std::vector<Eigen::Vector3d> normals_;  // unit normals of these
   std::vector<Motion> motion_;            // scratch of relax
 };
 
