@@ -184,6 +184,25 @@ TEST_F(BrokenBranchSchedules, AStepOnAnotherTubeIsFound) {
   schedule.steps[0].tube = schedule.steps[2].tube;
   expect("step-form");
 }
+// Yarn that is said to be shorter than it is would let a racking tear it.
+TEST_F(BrokenBranchSchedules, AWrongYarnBetweenTheBedsIsFound) {
+  trace = trace_knit_graph(three_legs(7, 5, 9, 4, 2));
+  schedule = schedule_stitches(trace, machine_of(400));
+  int longer = 0;
+  for (std::size_t i = 0; i < schedule.steps.size(); ++i) {
+    const int bridge = schedule.steps[i].bridge_beside;
+    longer += bridge > 1 ? 1 : 0;
+    schedule.steps[i].bridge_beside = 4 - bridge;  // 1 for 3, 3 for 1
+    expect("wrong-bridge");
+    schedule.steps[i].bridge_beside = bridge;
+  }
+  EXPECT_GT(longer, 0) << "no step beside an odd leg whose back bed ends further right";
+  EXPECT_EQ(first_message(check_schedule(trace, schedule, machine_of(400))), "");
+}
+TEST_F(BrokenBranchSchedules, ANeedleWithoutLoopsIsFound) {
+  schedule.steps[0].before[0].clear();
+  expect("step-form");
+}
 TEST_F(BrokenBranchSchedules, ATubeThatNeverEndsIsFound) {
   schedule.ends.clear();
   expect("step-start");
