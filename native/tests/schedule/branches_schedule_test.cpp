@@ -131,6 +131,18 @@ TEST(BranchesSchedule, LegsThatDoNotFitSideBySideAreNamedWithAScale) {
   EXPECT_NO_THROW(schedule_cleanly(trace, 100));
 }
 
+// Twelve needles are six places, and four at each end are kept free: no scale helps.
+TEST(BranchesSchedule, WhereNoScaleFitsAWiderMachineIsAskedFor) {
+  try {
+    schedule_stitches(trace_knit_graph(splitting_tube(4)), machine_of(12));
+    FAIL() << "nothing fits";
+  } catch (const NotKnittable& refused) {
+    const Problem* problem = find_problem(refused.problems(), "too-wide");
+    ASSERT_NE(problem, nullptr);
+    EXPECT_NE(problem->remedy.find("more needles"), std::string::npos) << problem->remedy;
+  }
+}
+
 TEST(BranchesSchedule, PairsThatAreKnitOneAfterTheOtherDoNotCross) {
   schedule_cleanly(trace_knit_graph(crossed_pairs(4, 5, false)));
 }
