@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 #include "meshknit/core/error.h"
 #include "meshknit/schedule/needle_offsets.h"

@@ -88,11 +88,11 @@ class Checker {
   }
 
   bool sizes_agree(const ScheduleStep& step) const {
-    const size_t stitches = static_cast<size_t>(step.last_stitch - step.first_stitch + 1);
-    return step.first_stitch >= 0 &&
-           step.last_stitch < static_cast<int>(trace_.stitches.size()) &&
-           !step.before.empty() &&
-           std::none_of(step.before.begin(), step.before.end(),
+    if (step.first_stitch < 0 || step.last_stitch < step.first_stitch - 1 ||
+        step.last_stitch >= static_cast<int>(trace_.stitches.size()) || step.before.empty())
+      return false;
+    const auto stitches = static_cast<size_t>(step.last_stitch - step.first_stitch) + 1;
+    return std::none_of(step.before.begin(), step.before.end(),
                         [](const LoopStack& stack) { return stack.empty(); }) &&
            step.before.size() == step.before_hooks.size() &&
            step.before.size() == step.moved_hooks.size() &&

@@ -1,6 +1,5 @@
 #include "meshknit/tracing/event_order.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <utility>

@@ -21,7 +21,7 @@ class RowAgenda {
   /// No more than `most_yarns` are in use at once, unless tubes would cross, or a yarn that goes on
   /// above a split comes where tubes meet too early.
   /// `events`: the order in which tubes start, part, meet and end; empty for that of time.
-  /// Requires: a graph that outlives the agenda and its tubes, most_yarns >= 1.
+  /// Requires: check_knit_graph(graph) finds no error; the graph's own tubes; most_yarns >= 1.
   RowAgenda(const KnitGraph& graph, const Tubes& tubes, std::vector<TubeEvent> events,
             int most_yarns);
 
