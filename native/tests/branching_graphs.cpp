@@ -1,5 +1,6 @@
 #include "branching_graphs.h"
 
+#include <array>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -105,6 +106,35 @@ KnitGraph crossed_pairs(int n, int rows, bool joined_again) {
   for (int row = 0; row < rows; ++row)
     for (Front& pair : pairs) pair = plain_row(drawing, pair);
   if (joined_again) plain_row(drawing, plain_row(drawing, joined(pairs[0], pairs[1])));
+  return drawing.graph();
+}
+
+KnitGraph arches_over_legs(int arches, int n, int rows) {
+  GraphDrawing drawing;
+  const int round = 4 * n;
+  std::vector<Front> feet;
+  for (Front trunk = plain_row(drawing, drawing.cast_on(arches * round));
+       static_cast<int>(feet.size()) < arches;) {
+    const int left = static_cast<int>(trunk.size()) - round;
+    feet.push_back(plain_row(drawing, part_of(trunk, left, left + round)));
+    if (left > 0) trunk = plain_row(drawing, part_of(trunk, 0, left));
+  }
+  std::vector<std::array<Front, 3>> legs;  // the outer two, and the one between them
+  for (const Front& foot : feet) {
+    const Front above = plain_row(drawing, foot);
+    legs.push_back({joined(part_of(above, 3 * n + n / 2, round), part_of(above, 0, n - n / 2)),
+                    part_of(above, 2 * n - n / 2, 3 * n - n / 2),
+                    joined(part_of(above, n - n / 2, 2 * n - n / 2),
+                           part_of(above, 3 * n - n / 2, 3 * n + n / 2))});
+  }
+  for (const int which : {0, 1, 2})
+    for (auto& three : legs) three[which] = plain_row(drawing, three[which]);
+  for (int row = 1; row < rows; ++row)
+    for (auto& three : legs)
+      for (const int which : {0, 1, 2})
+        if (which < 2 || row + 1 < rows) three[which] = plain_row(drawing, three[which]);
+  for (const auto& three : legs)
+    plain_row(drawing, plain_row(drawing, joined(three[0], three[1])));
   return drawing.graph();
 }
 

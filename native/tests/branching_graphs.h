@@ -22,6 +22,10 @@ KnitGraph three_way_split_beside(int large, int a, int b1, int c, int b2);
 /// Three legs knit the other way round, from their hems to the trunk.
 KnitGraph three_legs_upside_down(int a, int b, int c, int rows);
 
+/// `arches` arches side by side on a trunk, each of two legs of n nodes that meet again above a third leg
+/// between them, which ends before. The trunk's yarn goes on with a leg that meets another.
+KnitGraph arches_over_legs(int arches, int n, int rows);
+
 /// `legs` legs of n nodes, side by side, from a trunk that sheds one leg a row.
 KnitGraph many_legs(int legs, int n, int rows);
 

@@ -16,6 +16,14 @@ namespace {
     problem.elements.stitches.push_back(use.first_stitch);
     problem.elements.nodes.push_back(trace.stitches[use.first_stitch].node);
   }
+  if (carriers == 0) {
+    problem.message =
+        "The machine has no carrier for the object's yarn: it keeps all that it has for waste "
+        "and "
+        "draw thread.";
+    problem.remedy = "Add a carrier to the machine's profile, or choose another machine.";
+    throw NotKnittable({problem});
+  }
   problem.message =
       "At stitch " + std::to_string(stitch) + " " +
       std::to_string(problem.elements.stitches.size()) +

@@ -19,6 +19,7 @@ namespace {
   for (size_t i = 0; i < step.before.size(); ++i) {
     if (step.before_hooks[i] == step.moved_hooks[i]) continue;
     for (const LoopName& loop : step.before[i]) {
+      if (loop.stitch < 0) continue;  // waste
       problem.elements.stitches.push_back(loop.stitch);
       problem.elements.nodes.push_back(trace.stitches[loop.stitch].node);
     }

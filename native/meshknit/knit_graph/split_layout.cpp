@@ -1,10 +1,8 @@
 #include "meshknit/knit_graph/split_layout.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <set>
 
 namespace meshknit {

@@ -31,6 +31,7 @@ int number_of(const std::string& text, std::string_view value) {
 
 void KcodeSettings::take(const std::string& text) {
   const std::vector<std::string_view> words = split_words(text);
+  if (words.empty()) refuse(text);
   const std::string_view name = words.front();
   const std::string_view value = words.size() == 2 ? words[1] : std::string_view();
   if (name == "x-stitch-number") stitch = size_of(text, value);

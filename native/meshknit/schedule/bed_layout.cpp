@@ -4,6 +4,12 @@
 #include <cstdlib>
 
 namespace meshknit {
+namespace {
+
+// Needles from place 0 of the front bed to this place of the back bed.
+int needles_across(int places) { return std::abs(2 * places + 1); }
+
+}  // namespace
 
 std::vector<BedShape> bed_shapes(int slots) {
   std::vector<BedShape> shapes;
@@ -32,7 +38,17 @@ bool is_aligned(const BedLayout& layout) {
 
 int longest_bridge(const BedLayout& layout) {
   const int right = layout.shape.left + layout.slots - 2 * layout.shape.front;
-  return std::max(std::abs(2 * layout.shape.left + 1), std::abs(2 * right + 1));
+  return std::max(needles_across(layout.shape.left), needles_across(right));
+}
+
+int longest_bridge(const std::vector<Hook>& hooks) {
+  std::vector<int> front, back;
+  for (const Hook& hook : hooks) (hook.bed == Bed::front ? front : back).push_back(hook.n);
+  if (front.empty() || back.empty()) return 1;
+  const auto [front_left, front_right] = std::minmax_element(front.begin(), front.end());
+  const auto [back_left, back_right] = std::minmax_element(back.begin(), back.end());
+  return std::max(needles_across(*back_left - *front_left),
+                  needles_across(*back_right - *front_right));
 }
 
 Hook slot_hook(const BedLayout& layout, int slot) {

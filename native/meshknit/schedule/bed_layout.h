@@ -51,6 +51,9 @@ bool is_aligned(const BedLayout& layout);
 /// back bed ends flush with the front or one place further left, 3 where it ends further right.
 int longest_bridge(const BedLayout& layout);
 
+/// The same of a tube that hangs on these hooks, in any order; 1 if it hangs on one bed only.
+int longest_bridge(const std::vector<Hook>& hooks);
+
 /// The hook of a slot, 0 <= slot < layout.slots.
 Hook slot_hook(const BedLayout& layout, int slot);
 

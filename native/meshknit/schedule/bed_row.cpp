@@ -112,30 +112,34 @@ int BedRow::stacks_in_the_way(std::size_t row, bool right, int distance) const {
   return stacks;
 }
 
-// Moves the tube in this row, and before it those that are in its way.
+// Moves the tube in this row, and before it those that are in its way. Tubes that have just parted go
+// place by place, in turn: the yarn between them bears no more.
 void BedRow::push(std::size_t row, bool right, int distance) {
-  const int free = free_way(row, right);
   const std::size_t next = right ? row + 1 : row - 1;
-  if (free < distance && next < order_.size()) push(next, right, distance - free);
-  shift(order_[row], right ? distance : -distance);
+  const int at_once = is_tied(row, right) ? kFreeBetween : distance;
+  for (int left = distance; left > 0; left -= at_once) {
+    const int now = std::min(left, at_once), free = free_way(row, right);
+    if (free < now && next < order_.size()) push(next, right, now - free);
+    shift(order_[row], right ? now : -now);
+  }
 }
 
 // Tubes touch only where they have just parted: the yarn of their last common row still runs from
-// one to the other, too short for both to be more than a place apart.
+// one to the other, too short for them ever to be more than a place apart.
 bool BedRow::is_tied(std::size_t row, bool right) const {
   const int beside = neighbour(row, right);
-  if (beside < 0) return false;
+  if (beside < 0 || !hung_[order_[row]].hangs) return false;
   const BedLayout &own = hung_[order_[row]].layout, &other = hung_[beside].layout;
   return (right ? places_between(own, other) : places_between(other, own)) == 0;
 }
 
-OffsetChoice BedRow::make_room(std::size_t row, const BedLayout& layout) {
+void BedRow::make_room(std::size_t row, const BedLayout& layout) {
   pushed_ = true;
   const OffsetChoice free = free_offsets(row, layout);
   const int missing = free.lowest - free.highest;
   const int most_left = row > 0 ? way_to_wall(row - 1, false) : 0;
   const int most_right = row + 1 < order_.size() ? way_to_wall(row + 1, true) : 0;
-  // Places to make on the left, the others on the right: so that no yarn tears, fewest stacks move,
+  // Places to make on the left, the others on the right: so that all go at once, fewest stacks move,
   // its own counted unless it can stay, and in equally good ways least far.
   std::optional<std::tuple<bool, int, int, int>> best;
   for (int left = std::max(0, missing - most_right); left <= std::min(missing, most_left);
@@ -144,16 +148,26 @@ OffsetChoice BedRow::make_room(std::size_t row, const BedLayout& layout) {
     int stacks = own == 0 ? 0 : layout.slots;
     if (left > 0) stacks += stacks_in_the_way(row - 1, false, left);
     if (right > 0) stacks += stacks_in_the_way(row + 1, true, right);
-    const bool tears = (left > kFreeBetween && is_tied(row, false)) ||
-                       (right > kFreeBetween && is_tied(row, true));
-    const std::tuple<bool, int, int, int> cost{tears, stacks, std::max(left, right), left};
+    const bool in_turn = (left > kFreeBetween && is_tied(row, false)) ||
+                         (right > kFreeBetween && is_tied(row, true));
+    const std::tuple<bool, int, int, int> cost{in_turn, stacks, std::max(left, right), left};
     if (!best || cost < *best) best = cost;
   }
-  if (!best) return free;
-  const int left = std::get<3>(*best), right = missing - left;
-  if (left > 0) push(row - 1, false, left);
-  if (right > 0) push(row + 1, true, right);
-  return free_offsets(row, layout);
+  if (!best) return;
+  const int left = std::get<3>(*best);
+  clear_side(row, false, left);
+  clear_side(row, true, missing - left);
+}
+
+// A neighbour that has just parted from the tube goes place by place, and the tube after it.
+void BedRow::clear_side(std::size_t row, bool right, int distance) {
+  const std::size_t next = right ? row + 1 : row - 1;
+  const bool tied = is_tied(row, right);
+  for (; tied && distance > kFreeBetween; distance -= kFreeBetween) {
+    push(next, right, kFreeBetween);
+    shift(order_[row], right ? kFreeBetween : -kFreeBetween);
+  }
+  if (distance > 0) push(next, right, distance);
 }
 
 }  // namespace meshknit

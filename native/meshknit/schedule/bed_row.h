@@ -32,10 +32,11 @@ class BedRow {
   /// By how much a layout may move so that walls and neighbours leave it room in this row;
   /// none if lowest > highest.
   OffsetChoice free_offsets(std::size_t row, const BedLayout& layout) const;
-  /// Pushes neighbours away until the layout has room between them. One that it has just parted from
-  /// moves by kFreeBetween, if that is enough.
-  /// Ensures: free_offsets, which it returns, are not empty, if walls leave room for all.
-  OffsetChoice make_room(std::size_t row, const BedLayout& layout);
+  /// Pushes neighbours away until the layout, at the place of the tube in this row, has room between
+  /// them. Tubes that have just parted never hang more than kFreeBetween apart meanwhile; where they
+  /// must go further, they go in turn, the tube in this row too if it hangs.
+  /// Ensures: free_offsets of the layout at the tube's place are not empty, if walls leave room for all.
+  void make_room(std::size_t row, const BedLayout& layout);
 
   /// A step of the tube, after which it hangs in another layout.
   void knit(int tube, int step, const BedLayout& after);
@@ -60,6 +61,7 @@ class BedRow {
   int way_to_wall(std::size_t row, bool right) const;
   int stacks_in_the_way(std::size_t row, bool right, int distance) const;
   void push(std::size_t row, bool right, int distance);
+  void clear_side(std::size_t row, bool right, int distance);
   void write_down(int tube, int step, const BedLayout& after);
   void use(const PlaceRange& range);
 

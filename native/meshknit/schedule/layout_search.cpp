@@ -77,8 +77,9 @@ class LayoutSearch {
     const RollTable rolls = search_rolls(splits_, maps_, split_ends(splits_, limits_), run_);
     most_at_once_ = kRollsAtOnce;
     if (!maps_.empty()) most_at_once_ += rolls.fewest / static_cast<int>(maps_.size());
-    for (;; most_at_once_ *= 2)
+    for (; most_at_once_ < 2 * (rolls.fewest + kMoreRolls + kRollsAtOnce); most_at_once_ *= 2)
       if (const std::optional<FoundLayouts> found = search(rolls)) return *found;
+    throw BrokenPromise("no layouts of a tube were found within the limits of their search");
   }
 
  private:

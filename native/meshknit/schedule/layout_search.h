@@ -32,7 +32,7 @@ struct LayoutLimits {
 ///
 /// Requires: slots >= 2; maps[i].stacks() is the size of layout i, maps[i].slots() >= 2 that of
 /// layout i+1; at least one map if both ends are set.
-/// Throws: Cancelled.
+/// Throws: BrokenPromise if the limits leave no way; Cancelled.
 struct FoundLayouts {
   std::vector<BedLayout> layouts;
   MoveCost cost;

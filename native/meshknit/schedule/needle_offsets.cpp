@@ -59,7 +59,10 @@ class BedWalk {
     BedLayout layout = layouts_[tube].layouts.front();
     const size_t row = bed_.row_of(tube);
     OffsetChoice free = bed_.free_offsets(row, layout);
-    if (free.lowest > free.highest) free = bed_.make_room(row, layout);
+    if (free.lowest > free.highest) {
+      bed_.make_room(row, layout);
+      free = bed_.free_offsets(row, layout);
+    }
     int wanted = (start_middle_ - middle(places_of(layout))) / 2;
     if (row > 0) {
       wanted = free.lowest + places_between_later(row - 1);
@@ -124,12 +127,16 @@ class BedWalk {
     const int change = changes_[tube];
     const bool changes =
         change < static_cast<int>(own.maps.size()) && own.from_step[change] == step;
-    const BedLayout before = bed_.layout(tube);
-    BedLayout next = changes ? own.layouts[change + 1] : before;
-    next.place = before.place;
+    BedLayout next = changes ? own.layouts[change + 1] : bed_.layout(tube);
+    next.place = bed_.layout(tube).place;
     const size_t row = bed_.row_of(tube);
     OffsetChoice choice = bed_.free_offsets(row, next);
-    if (choice.lowest > choice.highest) choice = bed_.make_room(row, next);
+    if (choice.lowest > choice.highest) {
+      bed_.make_room(row, next);
+      next.place = bed_.layout(tube).place;
+      choice = bed_.free_offsets(row, next);
+    }
+    const BedLayout before = bed_.layout(tube);
     choice.liked = liked_offset(tube, row, places_of(next), choice);
     if (changes) {
       const SlotMap& map = own.maps[change];

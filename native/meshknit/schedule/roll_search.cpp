@@ -1,7 +1,5 @@
 #include "meshknit/schedule/roll_search.h"
 
-#include <utility>
-
 #include "meshknit/core/error.h"
 
 namespace meshknit {

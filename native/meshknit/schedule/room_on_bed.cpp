@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 #include "meshknit/core/error.h"
 #include "meshknit/schedule/needle_offsets.h"
@@ -89,8 +88,9 @@ void refuse_tall_stacks(const StitchTrace& trace, const SteppedTubes& tubes,
   }
   if (tallest == 0) return;
   sort_unique(problem.elements.nodes);
-  problem.message = "At " + std::to_string(problem.elements.nodes.size()) +
-                    " nodes short rows or decreases end on top of each other: up to " +
+  const std::size_t nodes = problem.elements.nodes.size();
+  problem.message = "At " + std::to_string(nodes) + (nodes == 1 ? " node" : " nodes") +
+                    " short rows or decreases end on top of each other: up to " +
                     std::to_string(tallest) + " loops on a needle that holds " +
                     std::to_string(profile.max_stack) + ".";
   problem.remedy =
@@ -126,8 +126,10 @@ void refuse_too_wide(const StitchTrace& trace, const SteppedTubes& tubes, const 
       ", but this machine has room for " + std::to_string(std::max(0, 2 * (places - between))) +
       (widest.size() == 1 ? " round a tube." : " round all of them.");
   const int percent = std::max(0, 100 * (places - between) / fewest_places(stitches));
-  problem.remedy = "Scale the object to " + std::to_string(percent) +
-                   " % of its size or less, or use wider stitches.";
+  problem.remedy = percent > 0 ? "Scale the object to " + std::to_string(percent) +
+                                     " % of its size or less, or use wider stitches."
+                               : "Choose a machine with more needles, or change the knitting "
+                                 "times so that fewer tubes hang side by side.";
   for (int s = step.first_stitch; s <= step.last_stitch; ++s)
     problem.elements.stitches.push_back(s);
   std::vector<int>& nodes = problem.elements.nodes;

@@ -1,6 +1,5 @@
 #include "meshknit/schedule/schedule.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "meshknit/schedule/bed_order.h"

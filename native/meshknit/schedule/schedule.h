@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "meshknit/core/run_context.h"
@@ -37,7 +36,7 @@ using LoopStack = std::vector<LoopName>;
 /// to be made): it moves a tube that is in the way of others, or that will meet another.
 ///
 /// The first step of a tube that starts holds nameless loops, which must be cast on just before it;
-/// that of any other tube holds a part of the loops of a tube that splits, or all those of two
+/// that of any other tube holds a part of the loops of a tube that splits, or all those of the
 /// tubes that merge, on the hooks where they hang.
 struct ScheduleStep {
   int tube = 0;
@@ -82,7 +81,7 @@ struct Schedule {
 ///  - the tubes side by side in an order in which none has to cross another (bed_order.h);
 ///  - per step the layout among the 4N (N odd) or 5N (N even) that takes fewest passes, then
 ///    shifts, over all tubes (layout_search.h says why not alignment first); where tubes part or
-///    meet the layout fits all three of them (connections.h);
+///    meet the layout fits all of them (connections.h);
 ///  - horizontal offsets so that all places lie on the machine's needles, and tubes that hang at
 ///    the same time have a place between them (needle_offsets.h).
 /// A stack counts as one loop. Layouts are compared at the offset of least cost (layout_cost.h).

@@ -56,8 +56,9 @@ class Checker {
         add("step-form", step.first_stitch, "begins a step whose lists do not fit together");
         return std::move(problems_);
       }
-      take_up(step);
+      take_up(i);
       check_cycle(step.before_hooks, step.first_stitch);
+      check_bridges(step);
       if (!decide_direction(step)) continue;
       move(step);
       for (int s = step.first_stitch; s <= step.last_stitch; ++s) make(step, s);
@@ -87,30 +88,59 @@ class Checker {
   }
 
   bool sizes_agree(const ScheduleStep& step) const {
-    const size_t stitches = static_cast<size_t>(step.last_stitch - step.first_stitch + 1);
-    return step.first_stitch >= 0 &&
-           step.last_stitch < static_cast<int>(trace_.stitches.size()) &&
-           !step.before.empty() && step.before.size() == step.before_hooks.size() &&
+    if (step.first_stitch < 0 || step.last_stitch < step.first_stitch - 1 ||
+        step.last_stitch >= static_cast<int>(trace_.stitches.size()) || step.before.empty())
+      return false;
+    const auto stitches = static_cast<size_t>(step.last_stitch - step.first_stitch) + 1;
+    return std::none_of(step.before.begin(), step.before.end(),
+                        [](const LoopStack& stack) { return stack.empty(); }) &&
+           step.before.size() == step.before_hooks.size() &&
            step.before.size() == step.moved_hooks.size() &&
            step.stitch_hooks.size() == stitches && step.second_loop_hooks.size() == stitches;
   }
 
   // The step takes its loops off the beds. A tube takes all that it has, or begins with loops of
   // waste or of other tubes.
-  void take_up(const ScheduleStep& step) {
+  void take_up(size_t i) {
+    const ScheduleStep& step = schedule_.steps[i];
     bool good = true;
+    int taken_over = -1;  // a tube of which this one takes loops
     const bool cast_on = step.before.front().front().stitch < 0;
-    for (size_t i = 0; i < step.before.size(); ++i) {
-      const auto found = beds_.find(step.before_hooks[i]);
+    for (size_t stack = 0; stack < step.before.size(); ++stack) {
+      const auto found = beds_.find(step.before_hooks[stack]);
       good = good && cast_on == (found == beds_.end());
       if (found == beds_.end()) continue;
-      good = good && same(found->second.loops, step.before[i]);
+      good = good && same(found->second.loops, step.before[stack]);
+      if (found->second.tube != step.tube) taken_over = found->second.tube;
       beds_.erase(found);
     }
+    if (taken_over >= 0) name_parts(taken_over, i);
     for (const auto& hanging : beds_) good = good && hanging.second.tube != step.tube;
     if (!good)
       add("step-start", step.first_stitch,
           "begins a step on other loops or places than the step before left");
+  }
+
+  // What a tube leaves hanging when another takes the first loops of it belongs to the tubes that will
+  // take it up: they are tubes of their own from now on.
+  void name_parts(int parted, size_t step) {
+    for (size_t later = step + 1; later < schedule_.steps.size(); ++later)
+      for (const Hook& hook : schedule_.steps[later].before_hooks)
+        if (const auto found = beds_.find(hook);
+            found != beds_.end() && found->second.tube == parted)
+          found->second.tube = schedule_.steps[later].tube;
+  }
+
+  void check_bridges(const ScheduleStep& step) {
+    std::map<int, std::vector<Hook>> others;  // tube -> its hooks
+    for (const auto& [hook, hanging] : beds_) others[hanging.tube].push_back(hook);
+    int longest = 1;
+    for (const auto& [tube, hooks] : others) longest = std::max(longest, longest_bridge(hooks));
+    if (longest == step.bridge_beside) return;
+    add("wrong-bridge", step.first_stitch,
+        "begins a step beside yarn of " + std::to_string(longest) +
+            " needles between the beds, where the schedule says " +
+            std::to_string(step.bridge_beside));
   }
 
   // A place stays free beside tubes that are knit, and the room of a step is its own but for what

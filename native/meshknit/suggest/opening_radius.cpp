@@ -1,7 +1,6 @@
 #include "meshknit/suggest/opening_radius.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "meshknit/surface/point_distance.h"

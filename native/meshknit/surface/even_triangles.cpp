@@ -1,6 +1,5 @@
 #include "meshknit/surface/even_triangles.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace meshknit {

@@ -1,11 +1,9 @@
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 #include "meshknit/core/error.h"
 #include "meshknit/surface/nearest_face.h"
 #include "meshknit/surface/openings.h"
-#include "meshknit/surface/wording.h"
 
 namespace meshknit {
 namespace {

@@ -1,6 +1,5 @@
 #include "meshknit/tracing/event_order.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <utility>
@@ -13,6 +12,22 @@ namespace {
 
 constexpr std::size_t kMostStates = 100000;
 constexpr std::size_t kMostEvents = 64;
+
+// True if tubes can hang in this order of events, no more than `most_tubes` at once, or in too many
+// ways to try.
+bool can_follow(const std::vector<TubeLinks>& links, const std::vector<TubeEvent>& events,
+                std::size_t most_tubes) {
+  std::set<TubesOnBed> rows{{}};
+  for (const TubeEvent& event : events) {
+    std::set<TubesOnBed> next;
+    for (const TubesOnBed& row : rows)
+      for (TubesOnBed& after : rows_after(links, row, event))
+        if (after.size() <= most_tubes) next.insert(std::move(after));
+    if (next.size() > kMostStates) return true;
+    rows = std::move(next);
+  }
+  return !rows.empty();
+}
 
 class EventSearch {
  public:
@@ -36,16 +51,7 @@ class EventSearch {
   }
 
   bool in_order_of_time(std::size_t most_tubes) const {
-    std::set<TubesOnBed> rows{{}};
-    for (const TubeEvent& event : events_) {
-      std::set<TubesOnBed> next;
-      for (const TubesOnBed& row : rows)
-        for (TubesOnBed& after : rows_after(links_, row, event))
-          if (after.size() <= most_tubes) next.insert(std::move(after));
-      if (next.size() > kMostStates) return true;
-      rows = std::move(next);
-    }
-    return !rows.empty();
+    return can_follow(links_, events_, most_tubes);
   }
 
   // The earliest events first; writes the order down from its end.
@@ -76,6 +82,31 @@ std::vector<TubeEvent> find_event_order(const KnitGraph& graph, const Tubes& tub
                                         int most_tubes) {
   if (tubes.count < 2) return {};
   return EventSearch(link_tubes(graph, tubes)).run(static_cast<std::size_t>(most_tubes));
+}
+
+std::vector<std::vector<TubeEvent>> more_event_orders(const KnitGraph& graph,
+                                                      const Tubes& tubes) {
+  const std::vector<TubeLinks> links = link_tubes(graph, tubes);
+  std::vector<std::vector<TubeEvent>> orders;
+  std::vector<TubeEvent> in_time = events_in_time(links);
+  if (can_follow(links, in_time, in_time.size())) orders.push_back(std::move(in_time));
+  HangingOrder hanging = find_hanging_order(links);
+  if (hanging.verdict == HangingOrder::Verdict::found)
+    orders.push_back(std::move(hanging.events));
+  return orders;
+}
+
+bool tubes_cross(const KnitGraph& graph, const Tubes& tubes, const StitchTrace& trace) {
+  std::vector<TubeLinks> links = link_tubes(graph, tubes);
+  std::vector<bool> begun(links.size(), false);
+  for (int s = 0; s < static_cast<int>(trace.stitches.size()); ++s) {
+    const int tube = trace.stitches[s].tube;
+    if (!begun[tube]) links[tube].begin = s;
+    links[tube].end = s;
+    begun[tube] = true;
+  }
+  const std::vector<TubeEvent> events = events_in_time(links);
+  return !can_follow(links, events, events.size());
 }
 
 }  // namespace meshknit

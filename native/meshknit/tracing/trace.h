@@ -8,7 +8,8 @@ namespace meshknit {
 
 /// Traces a knit graph into stitches by the paper's rules 1-6 (section 3.3; tracing_rules.h).
 /// Tubes that hang side by side grow together, row by row in the order of time, with at most
-/// `most_yarns` in use at once.
+/// `most_yarns` in use at once. If no order of those tried needs so few and lets no tubes cross, that
+/// no tubes cross comes first.
 /// Requires: check_knit_graph(graph) finds no error.
 /// Throws: InvalidInput if most_yarns < 1; NotKnittable if the graph violates a property that
 /// tracing needs; Cancelled.

@@ -66,9 +66,10 @@ int check_racking(const Instruction& i, const MachineProfile& profile, ProblemLo
 
 void check_setting(const Instruction& i, const MachineProfile& profile, ProblemLog& log) {
   const std::vector<std::string_view> words = split_words(i.text);
-  const auto setting =
-      std::find_if(profile.settings.begin(), profile.settings.end(),
-                   [&](const MachineSetting& known) { return known.name == words.front(); });
+  const auto setting = std::find_if(profile.settings.begin(), profile.settings.end(),
+                                    [&](const MachineSetting& known) {
+                                      return !words.empty() && known.name == words.front();
+                                    });
   if (setting == profile.settings.end()) {
     log.warning("setting-unknown", i.line,
                 "the machine does not know \"" + i.text + "\" and leaves it aside", {},

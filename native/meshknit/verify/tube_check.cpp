@@ -1,6 +1,5 @@
 #include "meshknit/verify/tube_check.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 

@@ -68,5 +68,17 @@ TEST(Carriers, TooManyYarnsAtATimeAreRefusedAndNamed) {
   }
 }
 
+TEST(Carriers, AMachineWithWasteOnlySaysThatItNeedsAnotherCarrier) {
+  try {
+    assign_carriers(trace_of({0, 0}), machine_with({"1"}, "1", "1"));
+    FAIL() << "no carrier is left for the object";
+  } catch (const NotKnittable& refused) {
+    const Problem* problem = find_problem(refused.problems(), "too-many-carriers");
+    ASSERT_NE(problem, nullptr);
+    EXPECT_NE(problem->message.find("no carrier"), std::string::npos) << problem->message;
+    EXPECT_NE(problem->remedy.find("Add a carrier"), std::string::npos) << problem->remedy;
+  }
+}
+
 }  // namespace
 }  // namespace meshknit

@@ -130,8 +130,10 @@ TEST(Kniterate, RackingsThatStrainYarnAreUsedOnlyWhereNothingElseHelps) {
 
 TEST(Kniterate, SettingsThatTheMachineDoesNotHaveAreAnErrorOfTheProfile) {
   MachineProfile fast = kniterate();
-  fast.first_settings = {"x-speed-number 700"};
-  EXPECT_THROW(knit(plain_tube(20, 4), fast), InvalidInput);
+  for (const std::string setting : {"x-speed-number 700", ""}) {
+    fast.first_settings = {setting};
+    EXPECT_THROW(knit(plain_tube(20, 4), fast), InvalidInput) << '"' << setting << '"';
+  }
 }
 
 // What the same object is on the two machines: the stitches are the same, loop by loop.

@@ -131,6 +131,18 @@ TEST(BranchesSchedule, LegsThatDoNotFitSideBySideAreNamedWithAScale) {
   EXPECT_NO_THROW(schedule_cleanly(trace, 100));
 }
 
+// Twelve needles are six places, and four at each end are kept free: no scale helps.
+TEST(BranchesSchedule, WhereNoScaleFitsAWiderMachineIsAskedFor) {
+  try {
+    schedule_stitches(trace_knit_graph(splitting_tube(4)), machine_of(12));
+    FAIL() << "nothing fits";
+  } catch (const NotKnittable& refused) {
+    const Problem* problem = find_problem(refused.problems(), "too-wide");
+    ASSERT_NE(problem, nullptr);
+    EXPECT_NE(problem->remedy.find("more needles"), std::string::npos) << problem->remedy;
+  }
+}
+
 TEST(BranchesSchedule, PairsThatAreKnitOneAfterTheOtherDoNotCross) {
   schedule_cleanly(trace_knit_graph(crossed_pairs(4, 5, false)));
 }
@@ -182,6 +194,25 @@ TEST_F(BrokenBranchSchedules, LegsThatWereNotBroughtTogetherAreFound) {
 }
 TEST_F(BrokenBranchSchedules, AStepOnAnotherTubeIsFound) {
   schedule.steps[0].tube = schedule.steps[2].tube;
+  expect("step-form");
+}
+// Yarn that is said to be shorter than it is would let a racking tear it.
+TEST_F(BrokenBranchSchedules, AWrongYarnBetweenTheBedsIsFound) {
+  trace = trace_knit_graph(three_legs(7, 5, 9, 4, 2));
+  schedule = schedule_stitches(trace, machine_of(400));
+  int longer = 0;
+  for (std::size_t i = 0; i < schedule.steps.size(); ++i) {
+    const int bridge = schedule.steps[i].bridge_beside;
+    longer += bridge > 1 ? 1 : 0;
+    schedule.steps[i].bridge_beside = 4 - bridge;  // 1 for 3, 3 for 1
+    expect("wrong-bridge");
+    schedule.steps[i].bridge_beside = bridge;
+  }
+  EXPECT_GT(longer, 0) << "no step beside an odd leg whose back bed ends further right";
+  EXPECT_EQ(first_message(check_schedule(trace, schedule, machine_of(400))), "");
+}
+TEST_F(BrokenBranchSchedules, ANeedleWithoutLoopsIsFound) {
+  schedule.steps[0].before[0].clear();
   expect("step-form");
 }
 TEST_F(BrokenBranchSchedules, ATubeThatNeverEndsIsFound) {

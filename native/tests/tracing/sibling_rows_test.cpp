@@ -11,6 +11,7 @@
 #include "graphs.h"
 #include "meshknit/core/error.h"
 #include "meshknit/knit_graph/rows.h"
+#include "meshknit/tracing/event_order.h"
 #include "meshknit/tracing/trace.h"
 #include "meshknit/tracing/trace_checks.h"
 #include "meshknit/tracing/tubes.h"
@@ -107,6 +108,29 @@ TEST(SiblingRows, FewCarriersMeanFewYarnsAtATime) {
   }
   EXPECT_EQ(most_yarns_in_use(trace_cleanly(many_legs(5, 6, 4), 9)), 5);
   EXPECT_THROW(trace_knit_graph(plain_tube(6, 3), 0), InvalidInput);
+}
+
+// A leg that waits for a yarn hangs between two others. Were they to meet first, they would cross it.
+TEST(SiblingRows, ALegBetweenTwoOthersEndsBeforeTheyMeetHoweverFewTheYarns) {
+  for (const int arches : {1, 2, 3}) {
+    const KnitGraph graph = arches_over_legs(arches, 6, 3);
+    for (const int most : {1, 2, 3, 4, 9}) {
+      const StitchTrace trace = trace_cleanly(graph, most);
+      EXPECT_FALSE(tubes_cross(graph, find_tubes(graph), trace)) << arches << ", " << most;
+      EXPECT_LE(most_yarns_in_use(trace), most) << arches << " arches";
+    }
+  }
+}
+
+// The pair that meets first hangs between the other two until it ends, and yarns above a split are held
+// meanwhile: still one yarn does, as it does for legs that start one after another and then meet.
+TEST(SiblingRows, AnOrderWithoutCrossingsNeedsNoMoreYarnsThanLegByLeg) {
+  for (const KnitGraph& graph :
+       {crossed_pairs(6, 4, false), three_legs_upside_down(6, 6, 6, 4)}) {
+    const StitchTrace trace = trace_cleanly(graph, 1);
+    EXPECT_FALSE(tubes_cross(graph, find_tubes(graph), trace));
+    EXPECT_EQ(most_yarns_in_use(trace), 1);
+  }
 }
 
 TEST(SiblingRows, AStitchOnTheWrongTubeIsFound) {
