@@ -7,7 +7,7 @@ from .. import compat
 from ..core import colors
 from ..scene import sessions
 from ..scene.active_tool import is_tool_active
-from ..scene.canvas import canvas_of
+from ..scene.canvas import canvas_of, forget
 from ..scene.mark_lists import CONSTRAINTS, OPENINGS, selected_mark
 from ..scene.opening_rings import surface_of, world_rings
 from ..scene.pointing import Pointer
@@ -138,3 +138,4 @@ def unregister():
         bpy.types.SpaceView3D.draw_handler_remove(handle, "WINDOW")
     _handles.clear()
     stroke.clear()
+    forget()

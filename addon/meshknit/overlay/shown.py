@@ -18,6 +18,12 @@ def active_object():
     return ob, shown
 
 
+def size_of_region(kind):
+    """Width and height of a region of the 3D view that is drawn; a hidden one has a pixel."""
+    region = next((r for r in bpy.context.area.regions if r.type == kind), None)
+    return (region.width, region.height) if region is not None else (0, 0)
+
+
 def stitch_height(session, shown, stage):
     """In scene units, at the scale of a stage's own run."""
     result = session.results.get(stage) if session is not None else None
