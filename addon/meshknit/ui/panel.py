@@ -4,6 +4,7 @@ import bpy
 
 from .. import compat, names, native
 from ..scene import sessions
+from ..scene.mark_lists import CONSTRAINTS
 from .text import draw_text, draw_value
 
 
@@ -14,6 +15,12 @@ class KnitPanel:
     bl_region_type = "UI"
     bl_category = names.SIDEBAR
 
+
+class KnitSubPanel(KnitPanel):
+    """Mixin: a panel about the active mesh, below the first."""
+
+    bl_parent_id = names.PANEL
+
     @classmethod
     def poll(cls, context):
         return context.object is not None and context.object.type == "MESH"
@@ -23,19 +30,13 @@ class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
     bl_idname = names.PANEL
     bl_label = "Knit"
 
-    @classmethod
-    def poll(cls, context):
-        return True
-
     def draw(self, context):
         layout = self.layout
         missing = native.why_missing()
         if missing:
-            box = layout.box()
-            draw_text(box, context, "The compiled part is missing.", "ERROR")
-            draw_text(box, context, "Run `make build`, then restart Blender.")
+            draw_text(layout.box(), context, missing, "ERROR")
             return
-        if not KnitPanel.poll(context):
+        if not KnitSubPanel.poll(context):
             draw_text(layout, context, "Choose a mesh object, or add one:")
             layout.menu(names.MENU_SHAPES, text="Add a Knit Shape", icon="MATCLOTH")
             return
@@ -54,6 +55,13 @@ class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
         layout.prop(getattr(context.scene, names.PROPERTIES), "output", text="")
 
 
+def draw_marks(layout, mesh, marks, list_id):
+    """A list of marks, of which one is active. -> the column beside it, for buttons"""
+    row = layout.row()
+    row.template_list(list_id, "", mesh, marks.entries_name, mesh, marks.active_name, rows=3)
+    return row.column(align=True)
+
+
 def shown_scale(context):
     """Millimetres that a Blender unit of the active object becomes."""
     mesh = getattr(context.object.data, names.PROPERTIES)
@@ -65,10 +73,9 @@ def shown_scale(context):
     return 1000.0 * context.scene.unit_settings.scale_length
 
 
-class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
+class MESHKNIT_PT_setup(KnitSubPanel, bpy.types.Panel):
     bl_idname = "MESHKNIT_PT_setup"
     bl_label = "Size and Gauge"
-    bl_parent_id = names.PANEL
 
     def draw(self, context):
         layout = self.layout
@@ -109,10 +116,9 @@ class MESHKNIT_UL_constraints(bpy.types.UIList):
         row.prop(item, "time", text="")
 
 
-class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
+class MESHKNIT_PT_constraints(KnitSubPanel, bpy.types.Panel):
     bl_idname = "MESHKNIT_PT_constraints"
     bl_label = "Time"
-    bl_parent_id = names.PANEL
 
     def draw(self, context):
         layout = self.layout
@@ -121,9 +127,7 @@ class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
         if mesh.time_source == "ATTRIBUTE":
             return
         self._draw_source(context, mesh)
-        row = layout.row()
-        row.template_list(names.LIST_CONSTRAINTS, "", mesh, "constraints", mesh, "active", rows=3)
-        beside = row.column(align=True)
+        beside = draw_marks(layout, mesh, CONSTRAINTS, names.LIST_CONSTRAINTS)
         beside.operator(names.OP_REMOVE_CONSTRAINT, text="", icon="REMOVE").index = -1
         beside.operator(names.OP_SELECT_CONSTRAINT, text="", icon="RESTRICT_SELECT_OFF").index = -1
         column = layout.column(align=True)
