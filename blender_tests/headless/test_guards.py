@@ -76,10 +76,32 @@ def test_no_file_is_long():
         assert len(path.read_text().splitlines()) <= 300, path
 
 
-def test_registering_twice_and_data_stays(tube):
+def left_in_blender():
+    """What add-ons hang into Blender: handlers, menu entries, tools' keys, classes, properties."""
+    handlers = bpy.app.handlers
+    lists = {name: getattr(handlers, name) for name in dir(handlers)}
+    found = {name: len(held) for name, held in lists.items() if isinstance(held, list)}
+    for name in dir(bpy.types):
+        draw = getattr(getattr(bpy.types, name), "draw", None)
+        found[name] = len(getattr(draw, "_draw_funcs", ()))
+    configs = bpy.context.window_manager.keyconfigs
+    found["keymaps"] = {keymap.name for keymap in configs.default.keymaps}
+    found["properties"] = [hasattr(t, names.PROPERTIES) for t in (bpy.types.Mesh, bpy.types.Scene)]
+    return found
+
+
+def test_registering_again_and_again_leaves_nothing_behind(tube):
     meshknit.unregister()
-    assert not hasattr(bpy.types.Mesh, names.PROPERTIES)
-    meshknit.register()
+    without = left_in_blender()
+    try:
+        assert not any(without["properties"])
+        for _ in range(10):
+            meshknit.register()
+            assert left_in_blender() != without
+            meshknit.unregister()
+            assert left_in_blender() == without
+    finally:
+        meshknit.register()
     assert [c.time for c in bpy.context.object.data.meshknit.constraints] == [-1.0, 1.0]
     assert bpy.ops.meshknit.check_mesh() == {"FINISHED"}
 
