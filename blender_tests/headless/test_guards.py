@@ -146,19 +146,23 @@ def test_an_installed_copy_runs_batch_under_its_own_name(tmp_path):
     (tmp_path / "marks.json").write_text(
         json.dumps(meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 60))))
     )
-    command = [bpy.app.binary_path, "--background", "--factory-startup", "--addons", "meshknit"]
-    command += ["--python", str(installed / "batch.py"), "--", "--scale", "1"]
+    switch_on = "import addon_utils, bpy; addon_utils.enable('meshknit', default_set=True); "
+    switch_on += "bpy.ops.wm.save_userpref()"
+    command = [bpy.app.binary_path, "--background", "--python"]
+    command += [str(installed / "batch.py"), "--", "--scale", "1"]
     command += ["--input", str(tmp_path / "tube.obj"), "--marks", str(tmp_path / "marks.json")]
     command += ["--output", str(tmp_path / "tube.k")]
-    done = subprocess.run(
-        command,
-        capture_output=True,
-        text=True,
-        env={**os.environ, "BLENDER_USER_SCRIPTS": str(tmp_path)},
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert (tmp_path / "tube.k").exists()
-    assert "Traceback" not in done.stdout + done.stderr
+    home = {"BLENDER_USER_SCRIPTS": str(tmp_path), "BLENDER_USER_CONFIG": str(tmp_path)}
+    for arguments in (
+        [bpy.app.binary_path, "--background", "--factory-startup", "--python-expr", switch_on],
+        command,  # where it is on from the start
+        [command[0], "--factory-startup", "--addons", "meshknit", *command[1:]],
+    ):
+        done = subprocess.run(arguments, capture_output=True, text=True, env={**os.environ, **home})
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert "Traceback" not in done.stdout + done.stderr
+        assert (tmp_path / "tube.k").exists() == (arguments[-1] != switch_on)
+        (tmp_path / "tube.k").unlink(missing_ok=True)
 
 
 def test_the_manifest_and_bl_info_tell_the_same_version():
