@@ -280,6 +280,17 @@ def test_a_hidden_object_is_named_not_shown(tube):
     assert tube.mode == "OBJECT" or not KNIT.check_mesh.poll()
 
 
+def test_an_object_that_blender_leaves_out_is_not_knit_as_it_is_not(tube):
+    tube.scale = (2.0, 2.0, 2.0)
+    tube.hide_set(True)
+    KNIT.check_mesh()
+    # 2 pi r h of the tube, twice as large each way: one that is only out of sight is all there.
+    assert session().report["mesh"]["area"] == pytest.approx(4 * 2 * np.pi * 20 * 60, rel=0.01)
+    tube.hide_viewport = True
+    with pytest.raises(RuntimeError, match="disabled in the viewport"):
+        KNIT.check_mesh()
+
+
 def test_an_object_that_is_edited_beside_the_active_one_is_left_alone(tube):
     bpy.ops.object.mode_set(mode="EDIT")
     other = add_mesh(*meshes.tube(), name="Other")
