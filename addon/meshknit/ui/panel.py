@@ -40,10 +40,6 @@ class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
             draw_text(layout, context, "Choose a mesh object, or add one:")
             layout.menu(names.MENU_SHAPES, text="Add a Knit Shape", icon="MATCLOTH")
             return
-        job = sessions.job()
-        if job is not None:
-            compat.draw_progress(layout, job.progress, "Working")
-            layout.operator(names.OP_CANCEL, icon="CANCEL")
         column = layout.column(align=True)
         column.scale_y = 1.2
         column.operator(names.OP_CHECK, icon="CHECKMARK")
@@ -51,6 +47,11 @@ class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
         column.operator(names.OP_BUILD_GRAPH, icon="MESH_GRID")
         column.operator(names.OP_SCHEDULE, icon="MOD_ARRAY")
         column.operator(names.OP_WRITE, icon="EXPORT")
+        # Below the steps: nothing slides under the mouse that has just clicked one.
+        job = sessions.job()
+        if job is not None:
+            compat.draw_progress(layout, job.progress, "Working")
+            layout.operator(names.OP_CANCEL, icon="CANCEL")
         layout.label(text="Machine file:")
         layout.prop(getattr(context.scene, names.PROPERTIES), "output", text="")
 
