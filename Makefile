@@ -5,7 +5,7 @@ JOBS := 2
 BLENDER ?= blender
 VIRTUAL_DISPLAY := xvfb-run -a -s "-screen 0 1024x700x24"
 
-.PHONY: help build demo test gui pictures bench format
+.PHONY: help build demo zip test gui pictures bench format
 .DEFAULT_GOAL := help
 
 help:
@@ -13,6 +13,7 @@ help:
 	@echo "make test     all tests: C++, Python module, headless Blender, Blender with a simulated mouse"
 	@echo "make build    the library and the add-on's Python module"
 	@echo "make gui      Blender with the add-on on and the sock in the scene"
+	@echo "make zip      the add-on for Blender's preferences: $(BUILD)/meshknit.zip"
 	@echo "make pictures the documentation's pictures, from a simulated person's work"
 	@echo "make bench    benchmarks: they print tables"
 	@echo "make format   clang-format and black"
@@ -29,6 +30,11 @@ demo: build
 
 gui: build
 	@$(BLENDER) --factory-startup --python addon/meshknit/demo.py -- --gui
+
+zip: build
+	@cd addon && find meshknit -name __pycache__ -prune -o -type f -print | sort > ../$(BUILD)/meshknit.files
+	@cd addon && cmake -E tar cf ../$(BUILD)/meshknit.zip --format=zip --files-from=../$(BUILD)/meshknit.files
+	@echo "$(BUILD)/meshknit.zip: in Blender, Edit > Preferences > Add-ons > Install"
 
 # The tests that walk through what the documentation shows leave its pictures.
 pictures: build

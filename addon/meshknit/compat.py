@@ -4,8 +4,9 @@ import bpy
 
 
 def object_key(ob):
-    """Names an object for as long as Blender runs; before 4.2 its name has to do."""
-    return getattr(ob, "session_uid", None) or ob.name
+    """Names an object for as long as Blender runs; before 4.2 its name has to do, with that of the
+    file that it is linked from."""
+    return getattr(ob, "session_uid", None) or ob.name_full
 
 
 def draw_progress(layout, factor, text):

@@ -157,6 +157,8 @@ def _object_of_scene(name):
     active = bpy.context.view_layer.objects.active
     if active in meshes:
         return active
+    if not meshes:
+        raise UsageError("the scene has no mesh object")
     if len(meshes) != 1:
         raise UsageError(f"the scene has {len(meshes)} meshes: choose one with --object")
     return meshes[0]

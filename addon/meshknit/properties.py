@@ -38,18 +38,23 @@ def _shown(_, context):
     sessions.redraw(context)
 
 
-class MESHKNIT_PG_constraint(bpy.types.PropertyGroup):
-    """An entry of the constraint list. Its edges are those whose knit_constraint names it."""
-
-    time: FloatProperty(
+def time_property(when, **more):
+    """When something is knit; `when` says so in words."""
+    return FloatProperty(
         name="Time",
-        description="When these edges are knit: -1 is first, 1 is last",
+        description=f"{when}: -1 is first, 1 is last",
         min=-1.0,
         max=1.0,
         step=10,
         precision=3,
-        update=_time_touched,
+        **more,
     )
+
+
+class MESHKNIT_PG_constraint(bpy.types.PropertyGroup):
+    """An entry of the constraint list. Its edges are those whose knit_constraint names it."""
+
+    time: time_property("When these edges are knit", update=_time_touched)
 
 
 class MESHKNIT_PG_opening(bpy.types.PropertyGroup):
@@ -80,15 +85,7 @@ class MESHKNIT_PG_opening(bpy.types.PropertyGroup):
         default=True,
         update=_touched,
     )
-    time: FloatProperty(
-        name="Time",
-        description="When the rim is knit: -1 is first, 1 is last",
-        min=-1.0,
-        max=1.0,
-        step=10,
-        precision=3,
-        update=_time_touched,
-    )
+    time: time_property("When the rim is knit", update=_time_touched)
 
 
 class MESHKNIT_PG_mesh(bpy.types.PropertyGroup):
@@ -205,7 +202,7 @@ class MESHKNIT_PG_scene(bpy.types.PropertyGroup):
         update=_touched,
     )
     allow_seams: BoolProperty(
-        name="Allow seams",
+        name="Allow seams to sew",
         description="Where tubes would have to cross on the machine, knit the object in parts that "
         "are sewn together afterwards",
         default=DEFAULTS.allow_seams,
@@ -223,14 +220,7 @@ class MESHKNIT_PG_scene(bpy.types.PropertyGroup):
         description="Which time a mark gets that is made with the Knit Time tool",
         items=names.NEW_TIMES,
     )
-    new_time: FloatProperty(
-        name="Time",
-        description="The time of new marks: -1 is first, 1 is last",
-        min=-1.0,
-        max=1.0,
-        step=10,
-        precision=3,
-    )
+    new_time: time_property("The time of new marks")
     live_graph: BoolProperty(
         name="Live graph",
         description="Build the knit graph in the background whenever nothing has changed for a moment",

@@ -116,6 +116,12 @@ def test_unreadable_files_are_refused_in_one_sentence(tmp_path, name, data):
         read_mesh_file(tmp_path / name)
 
 
+def test_a_face_with_a_vertex_too_many_is_named(tmp_path):
+    (tmp_path / "x.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n")
+    with pytest.raises(UsageError, match="face 1 has a corner at vertex 8.* 3 vertices"):
+        read_mesh_file(tmp_path / "x.obj")
+
+
 def test_a_file_without_faces_is_an_empty_mesh(tmp_path):
     (tmp_path / "empty.obj").write_text("o nothing\n")
     vertices, polygons = read_mesh_file(tmp_path / "empty.obj")

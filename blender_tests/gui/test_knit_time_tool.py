@@ -1,6 +1,8 @@
 """A person marks a surface with the Knit Time tool: a tube of 40 mm radius and 120 mm height, seen
 from the front, in Object and in Edit Mode."""
 
+import subprocess
+
 import bpy
 import numpy as np
 import pytest
@@ -327,3 +329,23 @@ def test_the_vertex_where_a_chain_would_begin_has_a_dot(user, tube, picture):
     user.move(user.view, x, y)
     pump(3)
     assert white() > 30  # a disk of more than 3 pixels' radius
+
+
+def test_the_status_bar_has_the_keys_while_the_tool_is_on(user, tube, run):
+    def bar():
+        """How many pixels of the status bar, the lowest line of the window, are text."""
+        pump(4)
+        bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
+        place = f"{user.window.width // 2}x18+0+{user.window.height - 20}"
+        command = ["import", "-window", "root", "-crop", place, "-depth", "8", "gray:-"]
+        shown = subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout
+        return (np.frombuffer(shown, np.uint8) > 120).sum()
+
+    tube()
+    texts = {}
+    for tool in ("builtin.select_box", "meshknit.knit_time") * 2:
+        run(bpy.ops.wm.tool_set_by_id, name=tool)
+        for x in (0.0, 5.0):
+            point_at(user, x, 60.0)
+        texts.setdefault(tool, []).append(bar())
+    assert min(texts["meshknit.knit_time"]) > 2 * max(texts["builtin.select_box"])

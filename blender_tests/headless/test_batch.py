@@ -2,6 +2,7 @@
 
 import json
 import subprocess
+import time
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -196,6 +197,7 @@ def test_a_machine_that_is_too_narrow_says_how_far_to_scale(tube, tube_marks, wr
         (["--input", "{folder}/tube.obj", "--machine", "loom"], "loom"),
         (["--input", "{folder}/tube.obj", "--machine", "{folder}/typo.json"], "nedles"),
         (["--colour"], "colour"),
+        ([], "no mesh object"),
         (["--input", "{folder}/tube.obj", "--marks", "{folder}/five.json"], "at least one time"),
         (["--input", "{folder}/tube.obj", "--machine", "{folder}/one.json"], "20 to 2000"),
         (["--input", "{folder}/tube.obj", "--output", "{folder}/no/x.k"], "does not exist"),
@@ -208,7 +210,9 @@ def test_wrong_usage_ends_with_2_and_one_line(options, words, tube, write, tmp_p
     write("five.json", {**TUBE_MARKS, "times": 5})
     write("one.json", {"based_on": "shima_swg091n2", "needles": 1})
     write("openings.json", {**TUBE_MARKS, "openings": [{"at": [0, 0, 0], "radius": 0.0}]})
-    done = batch(*[option.format(folder=tmp_path) for option in options])
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "empty.blend"))
+    scene = None if options else tmp_path / "empty.blend"
+    done = batch(*[option.format(folder=tmp_path) for option in options], scene=scene)
     assert done.returncode == 2
     assert words in reason(done)
 
@@ -293,7 +297,16 @@ def test_the_report_is_written_though_another_output_is_not(tmp_path):
     assert json.loads((tmp_path / "report.json").read_text()) == {"ok": True}
 
 
-def test_progress_is_told_unless_quiet_and_help_is_no_error():
+@pytest.mark.parametrize("quiet", [True, False])
+def test_progress_is_told_unless_quiet(quiet, monkeypatch, capsys):
+    monkeypatch.setattr(headless, "SECONDS_BETWEEN_LINES", 0.01)
+    library = SimpleNamespace(RunContext=lambda: SimpleNamespace(progress=0.25))
+    with headless._progress(library, quiet):
+        time.sleep(0.2)
+    assert ("meshknit: 25%" in capsys.readouterr().err) != quiet
+
+
+def test_help_is_no_error():
     command = [bpy.app.binary_path, "--background", "--factory-startup", "--python", str(BATCH)]
     done = subprocess.run([*command, "--", "--help"], capture_output=True, text=True)
     assert done.returncode == 0 and "--stitch-width" in done.stdout

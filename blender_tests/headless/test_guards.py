@@ -76,10 +76,32 @@ def test_no_file_is_long():
         assert len(path.read_text().splitlines()) <= 300, path
 
 
-def test_registering_twice_and_data_stays(tube):
+def left_in_blender():
+    """What add-ons hang into Blender: handlers, menu entries, tools' keys, classes, properties."""
+    handlers = bpy.app.handlers
+    lists = {name: getattr(handlers, name) for name in dir(handlers)}
+    found = {name: len(held) for name, held in lists.items() if isinstance(held, list)}
+    for name in dir(bpy.types):
+        draw = getattr(getattr(bpy.types, name), "draw", None)
+        found[name] = len(getattr(draw, "_draw_funcs", ()))
+    configs = bpy.context.window_manager.keyconfigs
+    found["keymaps"] = {keymap.name for keymap in configs.default.keymaps}
+    found["properties"] = [hasattr(t, names.PROPERTIES) for t in (bpy.types.Mesh, bpy.types.Scene)]
+    return found
+
+
+def test_registering_again_and_again_leaves_nothing_behind(tube):
     meshknit.unregister()
-    assert not hasattr(bpy.types.Mesh, names.PROPERTIES)
-    meshknit.register()
+    without = left_in_blender()
+    try:
+        assert not any(without["properties"])
+        for _ in range(10):
+            meshknit.register()
+            assert left_in_blender() != without
+            meshknit.unregister()
+            assert left_in_blender() == without
+    finally:
+        meshknit.register()
     assert [c.time for c in bpy.context.object.data.meshknit.constraints] == [-1.0, 1.0]
     assert bpy.ops.meshknit.check_mesh() == {"FINISHED"}
 
@@ -124,19 +146,23 @@ def test_an_installed_copy_runs_batch_under_its_own_name(tmp_path):
     (tmp_path / "marks.json").write_text(
         json.dumps(meshes.marks((-1.0, (0, 0, 0)), (1.0, (0, 0, 60))))
     )
-    command = [bpy.app.binary_path, "--background", "--factory-startup", "--addons", "meshknit"]
-    command += ["--python", str(installed / "batch.py"), "--", "--scale", "1"]
+    switch_on = "import addon_utils, bpy; addon_utils.enable('meshknit', default_set=True); "
+    switch_on += "bpy.ops.wm.save_userpref()"
+    command = [bpy.app.binary_path, "--background", "--python"]
+    command += [str(installed / "batch.py"), "--", "--scale", "1"]
     command += ["--input", str(tmp_path / "tube.obj"), "--marks", str(tmp_path / "marks.json")]
     command += ["--output", str(tmp_path / "tube.k")]
-    done = subprocess.run(
-        command,
-        capture_output=True,
-        text=True,
-        env={**os.environ, "BLENDER_USER_SCRIPTS": str(tmp_path)},
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert (tmp_path / "tube.k").exists()
-    assert "Traceback" not in done.stdout + done.stderr
+    home = {"BLENDER_USER_SCRIPTS": str(tmp_path), "BLENDER_USER_CONFIG": str(tmp_path)}
+    for arguments in (
+        [bpy.app.binary_path, "--background", "--factory-startup", "--python-expr", switch_on],
+        command,  # where it is on from the start
+        [command[0], "--factory-startup", "--addons", "meshknit", *command[1:]],
+    ):
+        done = subprocess.run(arguments, capture_output=True, text=True, env={**os.environ, **home})
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert "Traceback" not in done.stdout + done.stderr
+        assert (tmp_path / "tube.k").exists() == (arguments[-1] != switch_on)
+        (tmp_path / "tube.k").unlink(missing_ok=True)
 
 
 def test_the_manifest_and_bl_info_tell_the_same_version():

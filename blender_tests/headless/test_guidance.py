@@ -91,6 +91,24 @@ def test_an_object_that_is_wider_than_the_bed_is_told_of():
     assert "wider-than-the-bed" in findings()
 
 
+def test_a_profile_with_a_mistake_is_named(tube, tmp_path):
+    mine = tmp_path / "mine.json"
+    mine.write_text('{"based_on": "kniterate", "nedles": 300}')
+    bpy.context.scene.meshknit.machine_file = str(mine)
+    assert '"nedles"' in findings()["not-judged"][1]["message"]
+    assert session().is_fresh("graph")  # which needs no machine
+
+
+def test_a_profile_that_is_gone_is_named_until_it_is_there(tube):
+    settle()
+    bpy.context.scene.meshknit.machine_file = "/nowhere/mine.json"
+    settle()
+    assert "/nowhere/mine.json" in session().untold() and session().stale_stages()
+    bpy.context.scene.meshknit.machine_file = ""
+    settle()
+    assert session().untold() == "" and session().stale_stages() == []
+
+
 def test_a_closed_mesh_is_offered_a_suggestion():
     add_mesh(*meshes.ball(radius=40.0))
     with pytest.raises(RuntimeError, match="closed"):

@@ -166,7 +166,7 @@ def test_every_seam_becomes_a_constraint(tube):
 
 
 def test_seams_that_branch_are_refused(tube):
-    with pytest.raises(RuntimeError, match="no seams"):
+    with pytest.raises(RuntimeError, match="no UV seams"):
         KNIT.add_from_seams()
     for edge in tube.data.edges:
         edge.use_seam = tuple(sorted(edge.vertices)) in MIDDLE | {(72, 96)}

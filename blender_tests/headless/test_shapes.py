@@ -32,6 +32,21 @@ def test_every_example_of_the_library_can_be_added():
     assert added == set(EXAMPLES)
 
 
+def test_a_shape_is_added_though_the_collection_in_use_is_linked(tmp_path):
+    path, scene = str(tmp_path / "other.blend"), bpy.context.scene
+    linked = bpy.data.collections.new("Linked")
+    scene.collection.children.link(linked)
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    with bpy.data.libraries.load(path, link=True) as (_, wanted):
+        wanted.collections = ["Linked"]
+    scene, layer = bpy.context.scene, bpy.context.view_layer
+    scene.collection.children.link(wanted.collections[0])
+    layer.active_layer_collection = layer.layer_collection.children["Linked"]
+    assert KNIT.add_sock() == {"FINISHED"}
+    assert "Sock" in scene.collection.objects and bpy.context.object.name == "Sock"
+
+
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_an_added_shape_has_a_time_on_every_rim(name):
     assert getattr(KNIT, f"add_{name}")() == {"FINISHED"}

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import meshes
+from meshknit.core.errors import UsageError
 from meshknit.core.workflow import stage_keys
 from meshknit.operators import stage_base
 from meshknit.scene import sessions
@@ -185,6 +186,22 @@ def test_write_says_where_it_cannot_write(tube, tmp_path):
         KNIT.write_knitout(output=str(tmp_path / "no" / "folder" / "x.k"))
 
 
+def test_what_cannot_be_written_is_said_before_the_work(tube, tmp_path):
+    for wrong in (
+        {"output": str(tmp_path / "no" / "x.k")},
+        {"output": str(tmp_path / "x.k"), "report_file": str(tmp_path / "no" / "r.json")},
+        {"output": str(tmp_path / "x.k"), "graph": str(tmp_path)},
+    ):
+        with pytest.raises(RuntimeError, match="cannot write") as caught:
+            KNIT.write_knitout(**wrong)
+        assert "Traceback" not in str(caught.value)
+    assert session().results == {}
+    with pytest.raises(RuntimeError, match="cannot write") as caught:
+        KNIT.write_knitout(output=str(tmp_path / ("x" * 300)))  # what only the system knows
+    assert "Traceback" not in str(caught.value)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_write_finds_a_place_for_its_file(tube, tmp_path, monkeypatch):
     monkeypatch.setenv("HOME", str(tmp_path))
     tube.name = "My sock"
@@ -261,6 +278,37 @@ def test_a_hidden_object_is_named_not_shown(tube):
     bpy.ops.object.mode_set(mode="EDIT")
     tube.hide_viewport = True
     assert tube.mode == "OBJECT" or not KNIT.check_mesh.poll()
+
+
+def test_an_object_that_blender_leaves_out_is_not_knit_as_it_is_not(tube):
+    tube.scale = (2.0, 2.0, 2.0)
+    tube.hide_set(True)
+    KNIT.check_mesh()
+    # 2 pi r h of the tube, twice as large each way: one that is only out of sight is all there.
+    assert session().report["mesh"]["area"] == pytest.approx(4 * 2 * np.pi * 20 * 60, rel=0.01)
+    tube.hide_viewport = True
+    with pytest.raises(RuntimeError, match="disabled in the viewport"):
+        KNIT.check_mesh()
+
+
+def test_an_object_that_is_edited_beside_the_active_one_is_left_alone(tube):
+    bpy.ops.object.mode_set(mode="EDIT")
+    other = add_mesh(*meshes.tube(), name="Other")
+    assert (tube.mode, other.mode) == ("EDIT", "OBJECT")
+    with pytest.raises(UsageError, match="Straight Tube is being edited"):
+        sessions.read_inputs(bpy.context, tube)
+    assert (tube.mode, other.mode) == ("EDIT", "OBJECT")
+
+
+def test_results_of_a_linked_object_are_not_those_of_its_namesake(tube, tmp_path):
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "tube.blend"), copy=True)
+    with bpy.data.libraries.load(str(tmp_path / "tube.blend"), link=True) as (_, wanted):
+        wanted.objects = [tube.name]
+    (linked,) = wanted.objects
+    bpy.context.collection.objects.link(linked)
+    KNIT.check_mesh()
+    assert linked.name == tube.name
+    assert sessions.known_session(tube) and sessions.known_session(linked) is None
 
 
 def test_without_a_mesh_steps_cannot_be_started():

@@ -102,6 +102,15 @@ def test_a_mesh_that_is_too_small_says_so():
     assert len(bpy.context.object.data.meshknit.openings) == 0
 
 
+def test_a_profile_with_a_mistake_is_named(tube, tmp_path):
+    mine = tmp_path / "mine.json"
+    mine.write_text('{"based_on": "kniterate", "nedles": 300}')
+    bpy.context.scene.meshknit.machine_file = str(mine)
+    with pytest.raises(RuntimeError) as caught:
+        KNIT.suggest()
+    assert '"nedles"' in str(caught.value) and "Traceback" not in str(caught.value)
+
+
 def test_in_edit_mode_too():
     ob = add_mesh(*egg())
     bpy.ops.object.mode_set(mode="EDIT")

@@ -82,9 +82,9 @@ def _make_parser():
     add("--allow-seams", action="store_true", help="cut tubes that would have to cross, to be sewn")
     add("--output", metavar="FILE.k", help="knitout, written if the independent check passed")
     add("--kcode", metavar="FILE.kc", help="Kniterate's own file (machine kniterate only)")
-    add("--graph", metavar="FILE.json")
-    add("--stitches", metavar="FILE.json")
-    add("--report", metavar="FILE.json")
+    add("--graph", metavar="FILE.json", help="rows and columns of the knit graph")
+    add("--stitches", metavar="FILE.json", help="the traced stitches, in the order of knitting")
+    add("--report", metavar="FILE.json", help="numbers and problems of every stage")
     add("--until", choices=STAGES, default=STAGES[-1], help="stop after this stage")
     add("--quiet", action="store_true", help="no progress on standard error")
     return parser

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .errors import UsageError
 from .knit_surface import polygons
 from .machines import make_profile
 from .row_levels import FieldGeometry
@@ -65,11 +66,15 @@ def assess(library, model, settings, context, known=None):
         return None, outcome
     problems = [_with_actions(model, problem) for problem in outcome.problems]
     if outcome.status in ("usage", "broken"):
-        problems.append(_finding("not-judged", "error", outcome.message, "", (), ()))
+        problems.append(_not_judged(outcome.message))
     if not outcome.ok:
         return Guidance(outcome.keys["time"], tuple(problems)), outcome
+    try:
+        profile = make_profile(library, settings.machine)
+    except UsageError as error:
+        problems.append(_not_judged(str(error)))
+        return Guidance(outcome.keys["time"], tuple(problems)), outcome
     knit, times = (outcome.results[s].value for s in ("check", "time"))
-    profile = make_profile(library, settings.machine)
     gauge = (settings.stitch_width, settings.stitch_height, profile.needles)
     try:
         cost = library.judge_field(knit.surface, times[0], *gauge, context)
@@ -108,6 +113,10 @@ def _finding(code, severity, message, remedy, faces, actions):
     elements = {"faces": list(faces)} if len(faces) else {}
     found = {"code": code, "severity": severity, "message": message, "remedy": remedy}
     return {**found, "elements": elements, "actions": actions}
+
+
+def _not_judged(why):
+    return _finding("not-judged", "error", why, "", (), ())
 
 
 def _slow_parts(model, knit, cost):

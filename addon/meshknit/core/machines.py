@@ -27,8 +27,10 @@ def read_machine(name):
         raise UsageError(f"{name} is neither a machine ({', '.join(BUILT_IN)}) nor a profile file")
     try:
         fields = json.loads(Path(name).read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError) as error:
-        raise UsageError(f"cannot read the machine profile {name}: {error}") from error
+    except OSError as error:
+        raise UsageError(f"cannot read the machine profile {name}: {error.strerror}") from error
+    except (ValueError, RecursionError) as error:
+        raise UsageError(f"the machine profile {name} is not JSON: {error}") from error
     if not isinstance(fields, dict) or fields.get("based_on") not in BUILT_IN:
         raise UsageError(
             f'the machine profile {name} must be an object whose "based_on" is one of: '

@@ -33,8 +33,10 @@ def read_marks(path):
     try:
         with open(path, encoding="utf-8") as file:
             data = json.load(file)
-    except (OSError, ValueError, RecursionError) as error:
-        raise UsageError(f"cannot read the marks file {path}: {error}") from error
+    except OSError as error:
+        raise UsageError(f"cannot read the marks file {path}: {error.strerror}") from error
+    except (ValueError, RecursionError) as error:
+        raise UsageError(f"the marks file {path} is not JSON: {error}") from error
     try:
         return parse_marks(data)
     except UsageError as error:

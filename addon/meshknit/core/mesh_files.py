@@ -35,9 +35,15 @@ def read_mesh_file(path):
 
 
 def _require_known_vertices(path, polygons, count):
-    for polygon in polygons:
-        if len(polygon) < 3 or min(polygon) < 0 or max(polygon) >= count:
-            raise UsageError(f"{path} has a face with the vertices {list(polygon)[:6]} of {count}")
+    for index, polygon in enumerate(polygons):
+        if len(polygon) < 3:
+            raise UsageError(f"{path}: face {index} has fewer than three corners")
+        strange = [vertex for vertex in polygon if not 0 <= vertex < count]
+        if strange:
+            raise UsageError(
+                f"{path}: face {index} has a corner at vertex {strange[0]}, but the file has "
+                f"{count} vertices (all counted from 0)"
+            )
 
 
 def _read_obj(data):

@@ -17,7 +17,8 @@ class Session:
     keys: dict = field(default_factory=dict)  # of the object as last looked at
     problems: list = field(default_factory=list)
     report: dict = field(default_factory=dict)
-    message: str = ""
+    message: str = ""  # of the last run, if it did not reach its end
+    unreadable: str = ""  # why the object, or the settings, cannot be read as they are now
     first_rows: tuple = None  # (rows of a graph that is being made, mm per unit of the scene)
     guidance: object = None  # guidance.Guidance, once the field was judged
     suggestions: object = None  # suggestions.Suggestions, once they were asked for
@@ -38,9 +39,14 @@ class Session:
         self.results.update(outcome.results)
         self.problems = list(outcome.problems)
         self.report = report
-        self.message = outcome.message
+        self.message, self.unreadable = outcome.message, ""
         self.look_at(outcome.keys)
         self.revision += 1
+
+    def untold(self):
+        """What went wrong and stands in no problem of the list, for people."""
+        told = any(problem["severity"] == "error" for problem in self.problems)
+        return self.unreadable or ("" if told else self.message)
 
     def keep(self, outcome):
         """Takes over the results of a run in passing: what the report and the list of problems say
@@ -68,6 +74,11 @@ class Session:
         if keys != self.keys:
             self.keys = dict(keys)
             self.revision += 1
+
+    def lose_sight(self, why):
+        """Says that the object, or the settings, cannot be read as they are now."""
+        self.unreadable = why
+        self.look_at({})
 
     def value(self, stage):
         """The stage's last result, fresh or not; None before its first run."""

@@ -5,6 +5,7 @@ from typing import Optional
 
 import numpy as np
 
+from .errors import UsageError
 from .knit_surface import check_surface, polygons_for_user
 from .machines import make_profile
 from .model import AT_DIGITS, RADIUS_DIGITS, Constraint, Opening, digest
@@ -36,7 +37,7 @@ def find_suggestions(library, model, settings, context):
     except library.NotKnittable as error:
         problems = tuple(polygons_for_user(model, p) for p in error.problems)
         return Suggestions(key, (), problems, describe(problems) or str(error))
-    except library.InvalidInput as error:
+    except (library.InvalidInput, UsageError) as error:
         return Suggestions(key, message=str(error))
     except library.Cancelled:
         return None
@@ -44,7 +45,8 @@ def find_suggestions(library, model, settings, context):
 
 def suggest(library, model, settings, context):
     """-> the library's suggestions for the model as it is without any marks of its own, as
-    report_entry() has them. Throws the library's NotKnittable, InvalidInput and Cancelled."""
+    report_entry() has them. Throws the library's NotKnittable, InvalidInput and Cancelled, and
+    UsageError for a wrong machine profile."""
     profile = make_profile(library, settings.machine)
     found = library.suggest_marks(
         model.vertices,

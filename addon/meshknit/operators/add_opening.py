@@ -1,14 +1,14 @@
 """Mark a part of the surface as an opening."""
 
 import bpy
-from bpy.props import FloatProperty, FloatVectorProperty
+from bpy.props import FloatVectorProperty
 from mathutils import Vector
 
 from .. import names
 from ..core.errors import UsageError
 from ..scene import mark_lists, openings
 from ..scene.read_model import millimetres_of_radius
-from .mark_base import MarkOperator, time_property
+from .mark_base import MarkOperator, radius_property, time_property
 
 
 class MESHKNIT_OT_add_opening(MarkOperator, bpy.types.Operator):
@@ -19,14 +19,7 @@ class MESHKNIT_OT_add_opening(MarkOperator, bpy.types.Operator):
     bl_label = "Add Opening"
 
     time: time_property("the rim is")
-    radius: FloatProperty(
-        name="Radius (mm)",
-        description="How far a round opening reaches, measured along the surface",
-        default=15.0,
-        min=0.001,
-        soft_max=200.0,
-        precision=1,
-    )
+    radius: radius_property()
     location: FloatVectorProperty(
         name="Location",
         description="For scripts: a place on the surface, in world space, instead of the cursor or "

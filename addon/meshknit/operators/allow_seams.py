@@ -10,7 +10,7 @@ class MESHKNIT_OT_allow_seams(StageOperator, bpy.types.Operator):
     """Knit the object in parts, to be sewn together afterwards, so that no tubes have to cross"""
 
     bl_idname = names.OP_ALLOW_SEAMS
-    bl_label = "Allow Seams"
+    bl_label = "Allow Seams to Sew"
     until = "schedule"
 
     def _prepare(self, context):

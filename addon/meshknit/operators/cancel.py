@@ -14,7 +14,10 @@ class MESHKNIT_OT_cancel(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return sessions.job() is not None
+        if sessions.job() is None:
+            cls.poll_message_set("No step is running")
+            return False
+        return True
 
     def execute(self, context):
         sessions.job().cancel()

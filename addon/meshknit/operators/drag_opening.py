@@ -2,7 +2,7 @@
 
 import bpy
 import numpy as np
-from bpy.props import FloatProperty, FloatVectorProperty
+from bpy.props import FloatVectorProperty
 from mathutils import Vector
 
 from .. import names
@@ -10,7 +10,7 @@ from ..overlay import stroke
 from ..scene import mark_lists, openings
 from ..scene.opening_rings import ring_on_surface, surface_of
 from ..scene.read_model import mean_scale, millimetres_of_radius
-from .mark_base import MarkOperator, time_property
+from .mark_base import MarkOperator, radius_property, time_property
 from .stroke_base import StrokeOperator, new_time
 
 
@@ -23,15 +23,7 @@ class MESHKNIT_OT_drag_opening(StrokeOperator, MarkOperator, bpy.types.Operator)
     keys = "Move: radius   Click or Enter: make it   Esc: leave"
 
     time: time_property("the rim is")
-    radius: FloatProperty(
-        name="Radius (mm)",
-        description="How far the opening reaches, measured along the surface",
-        default=15.0,
-        min=0.001,
-        soft_max=200.0,
-        precision=1,
-        options={"SKIP_SAVE"},
-    )
+    radius: radius_property("SKIP_SAVE")
     location: FloatVectorProperty(
         name="Location", description="A place on the surface, in world space", size=3
     )

@@ -2,7 +2,7 @@
 
 from bpy.props import FloatProperty, IntProperty
 
-from .. import native
+from .. import native, properties
 from ..core.errors import UsageError
 from ..scene import sessions, undo
 from ..scene.edit_mode import active_mesh, object_mode
@@ -10,12 +10,18 @@ from .stage_base import poll_mesh
 
 
 def time_property(of_what):
+    return properties.time_property(f"When {of_what} knit", options={"SKIP_SAVE"})
+
+
+def radius_property(*options):
     return FloatProperty(
-        name="Time",
-        description=f"When {of_what} knit: -1 is first, 1 is last",
-        min=-1.0,
-        max=1.0,
-        options={"SKIP_SAVE"},
+        name="Radius (mm)",
+        description="How far a round opening reaches, measured along the surface",
+        default=15.0,
+        min=0.001,
+        soft_max=200.0,
+        precision=1,
+        options=set(options),
     )
 
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from .. import native
+from .. import compat, native
 from ..core.errors import UsageError
 from ..core.job import Job
 from ..core.report import build_report
@@ -86,7 +86,7 @@ class StageOperator:
         except (native.NativeMissing, UsageError) as error:
             self.report({"ERROR"}, str(error))
             return None
-        self._object = ob.name
+        self._key, self._name = compat.object_key(ob), ob.name
         return self._work(library, self._model, self._settings, sessions.session_of(ob))
 
     def _work(self, library, model, settings, session):
@@ -99,9 +99,8 @@ class StageOperator:
         if outcome.status == "cancelled":
             self.report({"INFO"}, "Cancelled; the earlier results stay")
             return {"CANCELLED"}
-        ob = context.scene.objects.get(self._object)
+        ob = self._find_object(context)
         if ob is None:
-            self.report({"WARNING"}, f"{self._object} is gone; its result is dropped")
             return {"CANCELLED"}
         report = build_report(native.load(), self._model, self._settings, outcome)
         sessions.session_of(ob).adopt(outcome, report)
@@ -117,6 +116,14 @@ class StageOperator:
             self.report({"ERROR"}, outcome.message)
             return {"CANCELLED"}
         return self.published(context, ob, outcome, report)
+
+    def _find_object(self, context):
+        """What the run was about, or None after saying that it is not there."""
+        ob = sessions.object_of(context.scene, self._key)
+        if ob is None:
+            text = f"{self._name} is not in this scene any more; what was found is dropped"
+            self.report({"WARNING"}, text)
+        return ob
 
     def published(self, context, ob, outcome, report):
         """What the stage does with its result beyond showing it."""

@@ -39,12 +39,11 @@ class MESHKNIT_OT_suggest(StageOperator, bpy.types.Operator):
         return lambda run: find_suggestions(library, model, settings, run)
 
     def _finish(self, context, found):
-        ob = context.scene.objects.get(self._object)
         if found is None:
             self.report({"INFO"}, "Cancelled; openings and times stay")
             return {"CANCELLED"}
+        ob = self._find_object(context)
         if ob is None:
-            self.report({"WARNING"}, f"{self._object} is gone; the suggestions are dropped")
             return {"CANCELLED"}
         session = sessions.session_of(ob)
         if found.message:

@@ -9,11 +9,24 @@ from bpy.props import StringProperty
 
 from .. import names
 from ..core.errors import UsageError
-from ..core.files import graph_text, machine_files, report_text, stitches_text, write_whole
+from ..core.files import (
+    graph_text,
+    machine_files,
+    report_text,
+    stitches_text,
+    target_of,
+    write_whole,
+)
 from ..core.workflow import stage_keys
 from ..scene import sessions
 from ..scene.edit_mode import active_mesh
 from .stage_base import StageOperator
+
+
+def _file(name, description):
+    return StringProperty(
+        name=name, description=description, subtype="FILE_PATH", options={"SKIP_SAVE"}
+    )
 
 
 class MESHKNIT_OT_write_knitout(StageOperator, bpy.types.Operator):
@@ -23,65 +36,76 @@ class MESHKNIT_OT_write_knitout(StageOperator, bpy.types.Operator):
     bl_label = "Write"
     until = "emit"
 
-    output: StringProperty(
-        name="Machine file",
-        description="Left empty: the file chosen in the panel, or one named after the object, "
+    output: _file(
+        "Machine file",
+        "Left empty: the file chosen in the panel, or one named after the object, "
         "beside the .blend file or in your documents. A folder gets a file named after the object",
-        subtype="FILE_PATH",
-        options={"SKIP_SAVE"},
     )
-    kcode: StringProperty(
-        name="Kniterate file",
-        description="Left empty: on a Kniterate, a .kc file beside the machine file",
-        subtype="FILE_PATH",
-        options={"SKIP_SAVE"},
-    )
-    graph: StringProperty(name="Knit graph file", subtype="FILE_PATH", options={"SKIP_SAVE"})
-    stitches: StringProperty(name="Stitches file", subtype="FILE_PATH", options={"SKIP_SAVE"})
-    report_file: StringProperty(name="Report file", subtype="FILE_PATH", options={"SKIP_SAVE"})
+    kcode: _file("Kniterate file", "Left empty: on a Kniterate, a .kc file beside the machine file")
+    graph: _file("Knit graph file", "JSON: rows and columns of the knit graph")
+    stitches: _file("Stitches file", "JSON: the traced stitches, in the order of knitting")
+    report_file: _file("Report file", "JSON: numbers and problems of every step")
 
     def _prepare(self, context):
         chosen = self.output or getattr(context.scene, names.PROPERTIES).output
         self._path = _machine_file(chosen, active_mesh(context))
+        others = map(_chosen_file, (self.kcode, self.graph, self.stitches, self.report_file))
+        try:  # before the work, which may take a while
+            for path in (self._path, *filter(None, others)):
+                target_of(path)
+        except UsageError as error:
+            self.report({"ERROR"}, str(error))
+            return None
         return super()._prepare(context)
 
     def published(self, context, ob, outcome, report):
         values = {stage: result.value for stage, result in outcome.results.items()}
         files = [
-            (self.graph, lambda: graph_text(values["graph"])),
-            (self.stitches, lambda: stitches_text(values["trace"])),
-            (self.report_file, lambda: report_text(report)),
+            (_chosen_file(self.graph), lambda: graph_text(values["graph"])),
+            (_chosen_file(self.stitches), lambda: stitches_text(values["trace"])),
+            (_chosen_file(self.report_file), lambda: report_text(report)),
         ]
         try:
             kcode = self._kcode_file(values["emit"])
             for path, text in files:
                 if path:
-                    write_whole(bpy.path.abspath(path), text())
+                    write_whole(path, text())
             for path, text in machine_files(values["emit"], str(self._path), kcode):
                 write_whole(path, text)
-            sessions.session_of(ob).written = str(self._path)
-            now = stage_keys(*sessions.read_inputs(context, ob))
         except UsageError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        if now != outcome.keys:
+        sessions.session_of(ob).written = str(self._path)
+        if self._keys_now(context, ob) != outcome.keys:
             text = f"{self._path} was written from the values before your change: write it again"
             self.report({"WARNING"}, text)
             return {"FINISHED"}
         return super().published(context, ob, outcome, report)
 
+    def _keys_now(self, context, ob):
+        """None where the object cannot be read any more."""
+        try:
+            return stage_keys(*sessions.read_inputs(context, ob))
+        except UsageError:
+            return None
+
     def _kcode_file(self, knitout):
         """Where the Kniterate's own file goes; None for other machines."""
-        chosen = self.kcode.strip()
+        chosen = _chosen_file(self.kcode)
         if not knitout.kcode:
             if chosen:
                 raise UsageError("only the machine Kniterate takes .kc files")
             return None
-        return bpy.path.abspath(chosen) if chosen else str(self._path.with_suffix(".kc"))
+        return chosen or str(self._path.with_suffix(".kc"))
 
     def good_news(self, report):
         minutes = report["program"]["estimated_minutes"]
         return f"Checked and written: {self._path} (about {minutes:.0f} minutes to knit)"
+
+
+def _chosen_file(typed):
+    """The full path of what was typed; "" if nothing was."""
+    return bpy.path.abspath(typed.strip())
 
 
 def _machine_file(chosen, ob):
@@ -92,7 +116,7 @@ def _machine_file(chosen, ob):
         return _default_folder() / own_name
     text = bpy.path.abspath(chosen.strip())
     path = Path(os.path.abspath(text))
-    if path.is_dir() or text.endswith(("/", os.sep)):
+    if os.path.isdir(path) or text.endswith(("/", os.sep)):
         return path / own_name
     return path if path.suffix.lower() == ".k" else path.with_name(path.name + ".k")
 

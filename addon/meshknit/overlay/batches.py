@@ -35,14 +35,14 @@ def new_thick_lines(lines):
 
 
 def thick_shader(width):
-    """For thick lines; the width is in pixels."""
+    """For thick lines; the width is in pixels of a screen of usual resolution."""
     import gpu
 
     shader = gpu.shader.from_builtin("POLYLINE_SMOOTH_COLOR")
     region = bpy.context.region
     shader.bind()
     shader.uniform_float("viewportSize", (region.width, region.height))
-    shader.uniform_float("lineWidth", width)
+    shader.uniform_float("lineWidth", width * bpy.context.preferences.system.pixel_size)
     return shader
 
 

@@ -9,7 +9,7 @@ from ..scene.read_overlay import read_time_surface
 from . import batches, overlay_data
 from .batches import cached, draw_batch, new_batch, new_thick_lines, thick_shader
 from .draw_field import draw_field
-from .shown import LIFT, active_object, has_fresh_rims, is_cut, stitch_height
+from .shown import LIFT, active_object, has_fresh_rims, is_cut, size_of_region, stitch_height
 from .text import draw_plate
 
 THICKNESS = 2.5  # pixels, of short rows and shaping
@@ -130,9 +130,9 @@ def _draw_legend():
     step = LEGEND_STEP * scale
     blf.size(0, LEGEND_SIZE * scale)
     width = LEGEND_TEXT * scale + max(blf.dimensions(0, text)[0] for _, text in entries)
-    left = LEGEND_LEFT * scale + _size_of_region("TOOLS")[0]
+    left = LEGEND_LEFT * scale + size_of_region("TOOLS")[0]
     # Blender's own panel for the last step has the same corner.
-    bottom = LEGEND_BOTTOM * scale + _size_of_region("HUD")[1]
+    bottom = LEGEND_BOTTOM * scale + size_of_region("HUD")[1]
     frame = LEGEND_FRAME * scale
     plate = (width + 2 * frame, (len(entries) - 1) * step + LEGEND_SIZE * scale + 2 * frame)
     draw_plate(left - frame, bottom - frame, *plate, LEGEND_SHADE)
@@ -144,12 +144,6 @@ def _draw_legend():
         blf.position(0, left + LEGEND_TEXT * scale, y, 0)
         blf.color(0, 0.05, 0.05, 0.05, 1.0)
         blf.draw(0, text)
-
-
-def _size_of_region(kind):
-    """Width and height; a hidden region has a pixel."""
-    region = next((r for r in bpy.context.area.regions if r.type == kind), None)
-    return (region.width, region.height) if region is not None else (0, 0)
 
 
 def register():

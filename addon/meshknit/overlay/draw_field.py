@@ -1,10 +1,11 @@
 """Draws the live field. Called while drawing only."""
 
+import bpy
 import numpy as np
 from mathutils import Matrix
 
 from .batches import cached
-from .field_shader import LINE_STRENGTH, field_shader
+from .field_shader import LINE_STRENGTH, LINE_WIDTH, field_shader
 
 
 def draw_field(field, matrix_world, lift, with_lines):
@@ -21,6 +22,8 @@ def draw_field(field, matrix_world, lift, with_lines):
     shader.uniform_float("towards_viewer", view.row[2].xyz.normalized())
     shader.uniform_float("lines", LINE_STRENGTH if with_lines else 0.0)
     shader.uniform_float("stale", 1.0 if field.stale else 0.0)
+    pixel = bpy.context.preferences.system.pixel_size
+    shader.uniform_float("line_width", LINE_WIDTH * pixel)
     batch.draw(shader)
 
 

@@ -7,14 +7,14 @@ from .. import compat
 from ..core import colors
 from ..scene import sessions
 from ..scene.active_tool import is_tool_active
-from ..scene.canvas import canvas_of
+from ..scene.canvas import canvas_of, forget
 from ..scene.mark_lists import CONSTRAINTS, OPENINGS, selected_mark
 from ..scene.opening_rings import surface_of, world_rings
 from ..scene.pointing import Pointer
 from . import stroke
 from .batches import cached, draw_batch, new_thick_lines, thick_shader
 from .overlay_data import chain_lines, in_color, marked_lines, ring_lines
-from .shown import LIFT, active_object, has_fresh_rims, stitch_height
+from .shown import LIFT, active_object, free_room, has_fresh_rims, is_within, stitch_height
 from .text import draw_label
 
 THIN, EDGE, WIDE = 3.0, 6.0, 7.0  # pixels
@@ -100,7 +100,7 @@ def _draw_stroke(lift):
 
 
 def _draw_times():
-    """The time of every constraint and opening, beside it."""
+    """The time of every constraint, beside it."""
     ob, _ = active_object()
     context = bpy.context
     depsgraph = context.view_layer.depsgraph
@@ -108,20 +108,24 @@ def _draw_times():
     if ob is None or not is_tool_active(context) or not at_rest:
         return
     canvas = canvas_of(ob, depsgraph)
-    pointer = Pointer(context, ob, canvas, (0, 0))
+    pointer, room = Pointer(context, ob, canvas, (0, 0)), free_room()
     for index, entry in enumerate(CONSTRAINTS.entries(ob.data)):
         rows = np.flatnonzero(canvas.segment_marks == index + 1)
-        pixel = _first_visible(pointer, canvas.segments[rows])
+        pixel = _first_visible(pointer, canvas.segments[rows], room)
         if pixel is not None:
-            draw_label(pixel[0] + 10, pixel[1] + 8, [f"{entry.time:.3g}"])
+            draw_label(pixel[0] + 10, pixel[1] + 8, [f"{entry.time:.3g}"], room)
 
 
-def _first_visible(pointer, segments, tries=5):
-    """Pixels of the middle of a segment that is in sight, of a few along the chain."""
+def _first_visible(pointer, segments, room, tries=5):
+    """Pixels of the middle of a segment that is in sight and within the room, of a few along the
+    chain."""
     for row in np.linspace(0, len(segments) - 1, min(tries, len(segments))).astype(int):
         middle = segments[row].mean(axis=0)
+        pixel = pointer.pixel(middle)
+        if pixel is None or not is_within(pixel, room):
+            continue
         if pointer.is_visible(middle, np.linalg.norm(segments[row][1] - segments[row][0])):
-            return pointer.pixel(middle)
+            return pixel
     return None
 
 
@@ -138,3 +142,4 @@ def unregister():
         bpy.types.SpaceView3D.draw_handler_remove(handle, "WINDOW")
     _handles.clear()
     stroke.clear()
+    forget()

@@ -5,7 +5,7 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
 from ..scene import sessions, shown_field
-from .shown import active_object
+from .shown import active_object, free_room, is_within
 from .text import draw_dot, draw_label
 
 AWAY = 12  # pixels from the dot to its label
@@ -21,13 +21,15 @@ def _draw_labels():
         return
     if not session.is_guidance_fresh():
         return
+    region, room = bpy.context.region, free_room()
     moved = ob.matrix_world @ field.matrix.inverted_safe()
     for saddle in session.guidance.saddles:
         place = moved @ Vector(saddle.place)
-        pixel = location_3d_to_region_2d(bpy.context.region, bpy.context.region_data, place)
-        if pixel is not None:
+        pixel = location_3d_to_region_2d(region, bpy.context.region_data, place)
+        if pixel is not None and is_within(pixel, room):
             draw_dot(*pixel)
-            draw_label(pixel.x + AWAY, pixel.y + AWAY, [f"{saddle.time:.2f}: {saddle.text()}"])
+            text = f"{saddle.time:.2f}: {saddle.text()}"
+            draw_label(pixel.x + AWAY, pixel.y + AWAY, [text], room)
 
 
 def register():

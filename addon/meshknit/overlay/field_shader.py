@@ -4,7 +4,7 @@ from ..core import colors
 
 LINE = (0.12, 0.12, 0.14)
 LINE_STRENGTH = 0.55
-LINE_WIDTH = 1.3  # pixels
+LINE_WIDTH = 1.3  # pixels of a screen of usual resolution
 
 _shader = None
 
@@ -34,7 +34,7 @@ void main() {
   vec3 color = time_color(clamp(shown_time, -1.0, 1.0));
   float rows_a_pixel = max(fwidth(shown_row), 1e-6);
   float from_line = abs(fract(shown_row + 0.5) - 0.5) / rows_a_pixel;
-  float strength = 1.0 - smoothstep(0.5 * %(width)f, 0.5 * %(width)f + 1.0, from_line);
+  float strength = 1.0 - smoothstep(0.5 * line_width, 0.5 * line_width + 1.0, from_line);
   strength *= 1.0 - smoothstep(0.2, 0.45, rows_a_pixel);
   color = mix(color, vec3(%(line)s), lines * strength);
   vec3 normal = cross(dFdx(place), dFdy(place));
@@ -59,7 +59,6 @@ def fragment_source():
     """As text, without a GPU."""
     return _FRAGMENT % {
         "stops": _stops(),
-        "width": LINE_WIDTH,
         "line": ", ".join(f"{c:.4f}" for c in LINE),
     }
 
@@ -87,6 +86,7 @@ def _compile():
     info.push_constant("VEC3", "towards_viewer")
     info.push_constant("FLOAT", "lines")
     info.push_constant("FLOAT", "stale")
+    info.push_constant("FLOAT", "line_width")
     info.vertex_in(0, "VEC3", "pos")
     info.vertex_in(1, "FLOAT", "time")
     info.vertex_in(2, "FLOAT", "row")

@@ -18,6 +18,22 @@ def active_object():
     return ob, shown
 
 
+def size_of_region(kind):
+    """Width and height of a region of the 3D view that is drawn; a hidden one has a pixel."""
+    region = next((r for r in bpy.context.area.regions if r.type == kind), None)
+    return (region.width, region.height) if region is not None else (0, 0)
+
+
+def free_room():
+    """Width and height of what the sidebar leaves free of the view."""
+    region = bpy.context.region
+    return region.width - size_of_region("UI")[0], region.height
+
+
+def is_within(pixel, room):
+    return 0 <= pixel[0] < room[0] and 0 <= pixel[1] < room[1]
+
+
 def stitch_height(session, shown, stage):
     """In scene units, at the scale of a stage's own run."""
     result = session.results.get(stage) if session is not None else None

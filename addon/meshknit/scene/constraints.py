@@ -107,7 +107,7 @@ def path_through(library, mesh, stops, closed, matrix):
 
 
 def seam_chains(mesh):
-    """The edges that are marked as seams, by what hangs together."""
+    """The edges that are marked as UV seams, by what hangs together."""
     seams = np.empty(len(mesh.edges), bool)
     mesh.edges.foreach_get("use_seam", seams)
     return edge_chains.connected_groups(edge_vertices(mesh), np.flatnonzero(seams))

@@ -21,10 +21,13 @@ def hidden_text(ob):
 
 @contextmanager
 def object_mode(ob):
-    """Leaves the mode of the active object `ob`, and comes back to it in the end: attributes cannot
-    be reached in Edit Mode. Throws UsageError where Blender does not let go of the mode."""
+    """Leaves the mode of an object, and comes back to it in the end: attributes cannot be reached in
+    Edit Mode. Throws UsageError where Blender does not let go of the mode: it changes that of the
+    active object only, and only if one sees it."""
     mode = ob.mode
     if mode != "OBJECT":
+        if bpy.context.view_layer.objects.active != ob:
+            raise UsageError(f"{ob.name} is being edited: make it the active object first")
         if not ob.visible_get():
             raise UsageError(hidden_text(ob))
         bpy.ops.object.mode_set(mode="OBJECT")

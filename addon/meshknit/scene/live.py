@@ -169,8 +169,10 @@ def _start(context, ob, kind, work):
         if _state.inputs is None:
             model, settings = sessions.read_as_it_is(context, ob)
             _state.inputs = (model, settings, ob.matrix_world.copy())
+        sessions.session_of(ob).unreadable = ""
     except (native.NativeMissing, UsageError) as error:
-        sessions.session_of(ob).message = str(error)
+        sessions.session_of(ob).lose_sight(str(error))
+        sessions.redraw(context)
         _state.due.clear()
         return False
     model, settings, matrix = _state.inputs

@@ -11,8 +11,14 @@ from .attributes import edge_vertices, positions, read_attribute
 
 def read_model(ob, depsgraph, scene, scale=None, size=None):
     """Requires Object Mode. The mesh is read as its modifiers leave it. `scale` (mm per unit) or
-    `size` (mm of the longest side) are used instead of what the mesh says, if given."""
+    `size` (mm of the longest side) are used instead of what the mesh says, if given. Throws
+    UsageError."""
     evaluated = ob.evaluated_get(depsgraph)
+    if not evaluated.is_evaluated:
+        raise UsageError(
+            f"{ob.name}, or a collection that it is in, is disabled in the viewport: Blender leaves "
+            "out its modifiers and its place then. Enable it in the outliner"
+        )
     mesh = evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)
     try:
         local = positions(mesh)

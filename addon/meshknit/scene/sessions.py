@@ -37,6 +37,11 @@ def known_session(ob):
     return _sessions.get(compat.object_key(ob)) if ob is not None else None
 
 
+def object_of(scene, key):
+    """The object of a scene that has this key (compat.object_key), or None."""
+    return next((ob for ob in scene.objects if compat.object_key(ob) == key), None)
+
+
 def finding(ob, index):
     """-> (problem, session): one of the problems of the guidance. Throws UsageError."""
     session = session_of(ob)
@@ -89,10 +94,10 @@ def look_again(context, ob):
     try:
         model, settings = read_as_it_is(context, ob)
         session.look_at(stage_keys(model, settings))
+        session.unreadable = ""
         return model, settings
     except UsageError as error:
-        session.look_at({})
-        session.message = str(error)
+        session.lose_sight(str(error))
         return None
 
 

@@ -25,12 +25,16 @@ def make_mesh(name, vertices, polygons):
 
 
 def add_object(context, mesh, location=(0.0, 0.0, 0.0)):
-    """Links an object to the collection in use, selects it and makes it the active one."""
+    """Links an object to the collection in use, or to the scene's own where that is linked from
+    another file; selects it and makes it the active one."""
     ob = bpy.data.objects.new(mesh.name, mesh)
     ob.location = location
     # The context has no selection while Blender starts, the view layer always has.
     layer = context.view_layer
-    layer.active_layer_collection.collection.objects.link(ob)
+    collection = layer.active_layer_collection.collection
+    if collection.library is not None:
+        collection = context.scene.collection
+    collection.objects.link(ob)
     for other in list(layer.objects.selected):
         other.select_set(False)
     ob.select_set(True)

@@ -12,13 +12,17 @@ from ..scene.active_tool import is_tool_active
 from ..scene.canvas import canvas_of
 from ..scene.mark_lists import CONSTRAINTS, OPENINGS
 from ..scene.pointing import Pointer
+from . import status
 
 _handles = []
 
 
 def _draw(mouse):
     context = bpy.context
-    if context.region is None or context.region_data is None or not is_tool_active(context):
+    if context.region is None or context.region_data is None:
+        return
+    status.follow(context)
+    if not is_tool_active(context):
         return
     ob, depsgraph = context.view_layer.objects.active, context.view_layer.depsgraph
     busy = stroke.shown() is not None or sessions.job() is not None or depsgraph is None

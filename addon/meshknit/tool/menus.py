@@ -8,7 +8,7 @@ from .. import names
 def _draw_edges(self, context):
     self.layout.separator()
     self.layout.operator(names.OP_ASSIGN_TIME)
-    self.layout.operator(names.OP_FROM_SEAMS, text="Knit Time from Seams")
+    self.layout.operator(names.OP_FROM_SEAMS, text="Knit Time from UV Seams")
 
 
 def _draw_faces(self, context):

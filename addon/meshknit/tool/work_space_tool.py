@@ -57,11 +57,18 @@ TOOLS = tuple(
 )
 
 
+_registered = []
+
+
 def register():
+    # A Blender without windows has no keys yet when it switches on what the preferences say.
+    if bpy.context.window_manager.keyconfigs.addon is None:
+        return
     for tool in TOOLS:
         bpy.utils.register_tool(tool, after={"builtin.measure"}, separator=True)
+        _registered.append(tool)
 
 
 def unregister():
-    for tool in reversed(TOOLS):
-        bpy.utils.unregister_tool(tool)
+    while _registered:
+        bpy.utils.unregister_tool(_registered.pop())

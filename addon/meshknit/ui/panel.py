@@ -4,6 +4,7 @@ import bpy
 
 from .. import compat, names, native
 from ..scene import sessions
+from ..scene.mark_lists import CONSTRAINTS
 from .text import draw_text, draw_value
 
 
@@ -14,6 +15,12 @@ class KnitPanel:
     bl_region_type = "UI"
     bl_category = names.SIDEBAR
 
+
+class KnitSubPanel(KnitPanel):
+    """Mixin: a panel about the active mesh, below the first."""
+
+    bl_parent_id = names.PANEL
+
     @classmethod
     def poll(cls, context):
         return context.object is not None and context.object.type == "MESH"
@@ -23,26 +30,16 @@ class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
     bl_idname = names.PANEL
     bl_label = "Knit"
 
-    @classmethod
-    def poll(cls, context):
-        return True
-
     def draw(self, context):
         layout = self.layout
         missing = native.why_missing()
         if missing:
-            box = layout.box()
-            draw_text(box, context, "The compiled part is missing.", "ERROR")
-            draw_text(box, context, "Run `make build`, then restart Blender.")
+            draw_text(layout.box(), context, missing, "ERROR")
             return
-        if not KnitPanel.poll(context):
+        if not KnitSubPanel.poll(context):
             draw_text(layout, context, "Choose a mesh object, or add one:")
             layout.menu(names.MENU_SHAPES, text="Add a Knit Shape", icon="MATCLOTH")
             return
-        job = sessions.job()
-        if job is not None:
-            compat.draw_progress(layout, job.progress, "Working")
-            layout.operator(names.OP_CANCEL, icon="CANCEL")
         column = layout.column(align=True)
         column.scale_y = 1.2
         column.operator(names.OP_CHECK, icon="CHECKMARK")
@@ -50,8 +47,20 @@ class MESHKNIT_PT_knit(KnitPanel, bpy.types.Panel):
         column.operator(names.OP_BUILD_GRAPH, icon="MESH_GRID")
         column.operator(names.OP_SCHEDULE, icon="MOD_ARRAY")
         column.operator(names.OP_WRITE, icon="EXPORT")
+        # Below the steps: nothing slides under the mouse that has just clicked one.
+        job = sessions.job()
+        if job is not None:
+            compat.draw_progress(layout, job.progress, "Working")
+            layout.operator(names.OP_CANCEL, icon="CANCEL")
         layout.label(text="Machine file:")
         layout.prop(getattr(context.scene, names.PROPERTIES), "output", text="")
+
+
+def draw_marks(layout, mesh, marks, list_id):
+    """A list of marks, of which one is active. -> the column beside it, for buttons"""
+    row = layout.row()
+    row.template_list(list_id, "", mesh, marks.entries_name, mesh, marks.active_name, rows=3)
+    return row.column(align=True)
 
 
 def shown_scale(context):
@@ -65,10 +74,9 @@ def shown_scale(context):
     return 1000.0 * context.scene.unit_settings.scale_length
 
 
-class MESHKNIT_PT_setup(KnitPanel, bpy.types.Panel):
+class MESHKNIT_PT_setup(KnitSubPanel, bpy.types.Panel):
     bl_idname = "MESHKNIT_PT_setup"
     bl_label = "Size and Gauge"
-    bl_parent_id = names.PANEL
 
     def draw(self, context):
         layout = self.layout
@@ -109,10 +117,9 @@ class MESHKNIT_UL_constraints(bpy.types.UIList):
         row.prop(item, "time", text="")
 
 
-class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
+class MESHKNIT_PT_constraints(KnitSubPanel, bpy.types.Panel):
     bl_idname = "MESHKNIT_PT_constraints"
     bl_label = "Time"
-    bl_parent_id = names.PANEL
 
     def draw(self, context):
         layout = self.layout
@@ -121,9 +128,7 @@ class MESHKNIT_PT_constraints(KnitPanel, bpy.types.Panel):
         if mesh.time_source == "ATTRIBUTE":
             return
         self._draw_source(context, mesh)
-        row = layout.row()
-        row.template_list(names.LIST_CONSTRAINTS, "", mesh, "constraints", mesh, "active", rows=3)
-        beside = row.column(align=True)
+        beside = draw_marks(layout, mesh, CONSTRAINTS, names.LIST_CONSTRAINTS)
         beside.operator(names.OP_REMOVE_CONSTRAINT, text="", icon="REMOVE").index = -1
         beside.operator(names.OP_SELECT_CONSTRAINT, text="", icon="RESTRICT_SELECT_OFF").index = -1
         column = layout.column(align=True)

@@ -5,18 +5,16 @@ import bpy
 from .. import compat, names
 from ..core.guidance import GIVE_TIME, MEND, SELECT, SUGGEST
 from ..scene import live, sessions
-from .panel import KnitPanel
-from .panel_results import ICONS
+from .panel import KnitSubPanel
+from .problems import draw_problems
 from .text import draw_text, draw_value
 
 WORK = {live.FIELD: "Time field", live.JUDGE: "Guidance", live.GRAPH: "Knit graph"}
-MOST = 8
 
 
-class MESHKNIT_PT_guidance(KnitPanel, bpy.types.Panel):
+class MESHKNIT_PT_guidance(KnitSubPanel, bpy.types.Panel):
     bl_idname = "MESHKNIT_PT_guidance"
     bl_label = "Before Knitting"
-    bl_parent_id = names.PANEL
 
     def draw(self, context):
         layout = self.layout
@@ -39,20 +37,11 @@ class MESHKNIT_PT_guidance(KnitPanel, bpy.types.Panel):
             draw_value(column, name, value)
         for saddle in guidance.saddles:
             draw_value(column, f"At {saddle.time:.2f}", saddle.text())
-        for index, problem in enumerate(guidance.problems[:MOST]):
-            self._draw_problem(context, column.box(), index, problem)
-        left = len(guidance.problems) - MOST
-        if left > 0:
-            column.label(text=f"and {left} more")
+        draw_problems(column, context, guidance.problems, self._draw_buttons)
         if not guidance.problems:
             column.label(text="Nothing stands in the way", icon="CHECKMARK")
 
-    def _draw_problem(self, context, box, index, problem):
-        draw_text(box, context, problem["message"], ICONS[problem["severity"]])
-        if problem["remedy"]:
-            draw_text(box, context, problem["remedy"], "BLANK1")
-        # One below the other: side by side, a narrow sidebar cuts their words off.
-        buttons = box.column(align=True)
+    def _draw_buttons(self, buttons, index, problem):
         if GIVE_TIME in problem["actions"]:
             buttons.operator(names.OP_GIVE_TIME, icon="TIME").index = index
         if MEND in problem["actions"]:
@@ -63,10 +52,9 @@ class MESHKNIT_PT_guidance(KnitPanel, bpy.types.Panel):
             buttons.operator(names.OP_SUGGEST, icon="LIGHT")
 
 
-class MESHKNIT_PT_suggestions(KnitPanel, bpy.types.Panel):
+class MESHKNIT_PT_suggestions(KnitSubPanel, bpy.types.Panel):
     bl_idname = "MESHKNIT_PT_suggestions"
     bl_label = "Suggestions"
-    bl_parent_id = names.PANEL
 
     def draw(self, context):
         layout = self.layout

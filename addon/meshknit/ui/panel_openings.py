@@ -3,8 +3,9 @@
 import bpy
 
 from .. import names
+from ..scene.mark_lists import OPENINGS
 from ..scene.read_model import mean_scale
-from .panel import KnitPanel, shown_scale
+from .panel import KnitSubPanel, draw_marks, shown_scale
 from .text import draw_value
 
 
@@ -20,17 +21,14 @@ class MESHKNIT_UL_openings(bpy.types.UIList):
             row.label(text="no time")
 
 
-class MESHKNIT_PT_openings(KnitPanel, bpy.types.Panel):
+class MESHKNIT_PT_openings(KnitSubPanel, bpy.types.Panel):
     bl_idname = "MESHKNIT_PT_openings"
     bl_label = "Openings"
-    bl_parent_id = names.PANEL
 
     def draw(self, context):
         layout = self.layout
         mesh = getattr(context.object.data, names.PROPERTIES)
-        row = layout.row()
-        row.template_list(names.LIST_OPENINGS, "", mesh, "openings", mesh, "active_opening", rows=3)
-        beside = row.column(align=True)
+        beside = draw_marks(layout, mesh, OPENINGS, names.LIST_OPENINGS)
         beside.operator(names.OP_REMOVE_OPENING, text="", icon="REMOVE").index = -1
         beside.operator(names.OP_SELECT_OPENING, text="", icon="RESTRICT_SELECT_OFF").index = -1
         if 0 <= mesh.active_opening < len(mesh.openings):

@@ -5,24 +5,32 @@ import bpy
 from .. import names
 from ..core.report import summary_lines
 from ..scene import sessions
-from .panel import KnitPanel
+from .panel import KnitSubPanel
+from .problems import ICONS, draw_problems
 from .text import draw_text, draw_value
 
-ICONS = {"error": "CANCEL", "warning": "ERROR", "note": "INFO"}
-MOST_PROBLEMS = 12
 
-
-class MESHKNIT_PT_results(KnitPanel, bpy.types.Panel):
+class MESHKNIT_PT_results(KnitSubPanel, bpy.types.Panel):
     bl_idname = "MESHKNIT_PT_results"
     bl_label = "Result"
-    bl_parent_id = names.PANEL
 
     def draw(self, context):
         layout = self.layout
         session = sessions.known_session(context.object)
         if session is None or not session.report:
             layout.label(text="Nothing built yet")
+        if session is None:
             return
+        if session.untold():
+            draw_text(layout.box(), context, session.untold(), ICONS["error"])
+        if session.report:
+            self._draw_report(context, session)
+        if session.written:
+            draw_text(layout, context, f"Written: {session.written}", "FILE_TICK")
+        draw_problems(layout, context, session.problems, self._draw_buttons)
+
+    def _draw_report(self, context, session):
+        layout = self.layout
         stale = session.stale_stages()
         if stale:
             draw_text(layout, context, "Out of date: " + ", ".join(stale), "FILE_REFRESH")
@@ -30,28 +38,18 @@ class MESHKNIT_PT_results(KnitPanel, bpy.types.Panel):
         lines.active = not stale
         for name, value in summary_lines(session.report):
             draw_value(lines, name, value)
-        if session.written:
-            draw_text(layout, context, f"Written: {session.written}", "FILE_TICK")
-        for index, problem in enumerate(session.problems[:MOST_PROBLEMS]):
-            self._draw_problem(context, layout.box(), index, problem)
-        left = len(session.problems) - MOST_PROBLEMS
-        if left > 0:
-            layout.label(text=f"and {left} more")
 
-    def _draw_problem(self, context, box, index, problem):
-        draw_text(box, context, problem["message"], ICONS[problem["severity"]])
-        draw_text(box, context, problem["remedy"], "BLANK1")
+    def _draw_buttons(self, buttons, index, problem):
         if problem["elements"]:
-            select = box.operator(names.OP_SELECT_PROBLEM, text="Show", icon="VIEWZOOM")
+            select = buttons.operator(names.OP_SELECT_PROBLEM, text="Show", icon="VIEWZOOM")
             select.index = index
         if problem["code"] == "seam-needed":
-            box.operator(names.OP_ALLOW_SEAMS, icon="MOD_EXPLODE")
+            buttons.operator(names.OP_ALLOW_SEAMS, icon="MOD_EXPLODE")
 
 
-class MESHKNIT_PT_display(KnitPanel, bpy.types.Panel):
+class MESHKNIT_PT_display(KnitSubPanel, bpy.types.Panel):
     bl_idname = "MESHKNIT_PT_display"
     bl_label = "Display"
-    bl_parent_id = names.PANEL
 
     def draw(self, context):
         scene = getattr(context.scene, names.PROPERTIES)
