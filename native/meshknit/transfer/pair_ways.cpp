@@ -30,9 +30,22 @@ std::vector<Stop> stops_after(const Stack& stack, const Stop& here, const Pass& 
   return stops;
 }
 
-std::array<int, 6> code(const Stop& a, const Stop& b) {
-  return {a.side, a.place, a.parked, b.side, b.place, b.parked};
-}
+// Numbers the stops that a stack may make.
+class StopNumbers {
+ public:
+  explicit StopNumbers(const Stack& stack)
+      : side_(std::min(stack.side, stack.goal_side)),
+        place_(std::min(stack.place, stack.goal) - stray),
+        places_(std::abs(stack.goal - stack.place) + 2 * stray + 1),
+        size_(2 * places_ * (std::abs(stack.roll()) + 1)) {}
+  int size() const { return size_; }
+  int operator()(const Stop& stop) const {
+    return ((stop.side - side_) * places_ + stop.place - place_) * 2 + stop.parked;
+  }
+
+ private:
+  int side_, place_, places_, size_;
+};
 
 }  // namespace
 
@@ -48,12 +61,15 @@ std::vector<int> PairWays::key(const Stack& a, const Stack& b, int turn, int max
 }
 
 void PairWays::find_states(const Stack& a, const Stack& b, int turn, int max_racking) {
-  std::map<std::array<int, 6>, int> number_of;
+  const StopNumbers number_a(a), number_b(b);
+  std::vector<int> number_of(static_cast<std::size_t>(number_a.size()) * number_b.size(), -1);
   const auto state_of = [&](const Stop& stop_a, const Stop& stop_b) {
-    const auto [entry, fresh] =
-        number_of.emplace(code(stop_a, stop_b), static_cast<int>(states_.size()));
-    if (fresh) states_.push_back({stop_a, stop_b});
-    return entry->second;
+    int& number = number_of[number_a(stop_a) * number_b.size() + number_b(stop_b)];
+    if (number < 0) {
+      number = static_cast<int>(states_.size());
+      states_.push_back({stop_a, stop_b});
+    }
+    return number;
   };
   state_of({a.side, a.place, false}, {b.side, b.place, false});
   for (std::size_t s = 0; s < states_.size(); ++s) {

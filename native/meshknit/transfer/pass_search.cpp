@@ -48,12 +48,14 @@ void advance(Tube& tube, const PassPlan& step, TransferPlan& plan) {
   merge_stacks(tube);
 }
 
-std::optional<PassPlan> search_passes(const Tube& tube, PairWaysCache& cache, int most) {
+std::optional<PassPlan> search_passes(const Tube& tube, PairWaysCache& cache, int least,
+                                      int most) {
   const int rolling = count_rolling(tube);
   if (fewest_passes(tube) > most || rolling > most_rolling) return std::nullopt;
   PassAssigner assigner(tube);
   PassSequences sequences(tube, cache);
-  for (int length = sequences.least_length(); length <= std::min(most, most_passes); ++length) {
+  for (int length = std::max(least, sequences.least_length());
+       length <= std::min(most, most_passes); ++length) {
     const bool all = !sequences.gave_up();
     if (all) {
       if (auto plan = first_that_works(assigner, sequences.of_length(length))) return plan;

@@ -21,9 +21,9 @@ void advance(Tube& tube, const PassPlan& step, TransferPlan& plan);
 /// transfers. Sequences of passes are tried shortest first: all of them while they are few,
 /// longer ones in legs, that is runs of passes in one direction whose rackings rise or fall
 /// steadily (a schoolbus that returns loops offset by offset is one leg out and one leg back).
-/// None if no sequence of at most `most` passes was found; that proves nothing.
+/// None if no sequence of `least` to `most` passes was found; that proves nothing.
 /// Requires: not tube.arrived().
-std::optional<PassPlan> search_passes(const Tube& tube, PairWaysCache& cache,
-                                      int most = most_passes);
+std::optional<PassPlan> search_passes(const Tube& tube, PairWaysCache& cache, int least,
+                                      int most);
 
 }  // namespace meshknit

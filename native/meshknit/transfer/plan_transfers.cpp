@@ -89,27 +89,36 @@ class Planner {
 
   std::optional<TransferPlan> best;
 
+  // The whole way in one search; false if it finds none of so many passes.
+  bool search(int least, int most) {
+    const std::optional<PassPlan> way = search_passes(tube_, cache_, least, most);
+    if (!way) return false;
+    Tube tube = tube_;
+    TransferPlan plan;
+    advance(tube, *way, plan);
+    keep_cheaper(std::move(plan));
+    return true;
+  }
+
   // Step by step, and, if asked for, with a search for the rest of the way after each; given up
   // where it gets dearer than the best plan so far, or is about to.
   void plan(Step step, bool search_the_rest) {
     Tube tube = tube_;
     TransferPlan begun;
     const long whole_way = remaining_way(tube);
-    while (!tube.arrived()) {
-      const int most = best ? count_passes(*best) - count_passes(begun) : most_passes;
-      if (most <= 0) return;
-      if (search_the_rest && most <= most_passes) {
-        if (const std::optional<PassPlan> rest = search_passes(tube, cache_, most)) {
-          advance(tube, *rest, begun);
-          break;
-        }
-      }
-      if (!step_nearer(tube, begun, step)) return;
+    while (step_nearer(tube, begun, step)) {
+      if (tube.arrived()) return keep_cheaper(std::move(begun));
       const long way_made = whole_way - remaining_way(tube);
       if (best && count_passes(begun) * whole_way > patience * count_passes(*best) * way_made)
         return;
+      const int most = best ? count_passes(*best) - count_passes(begun) : most_passes;
+      if (most <= 0) return;
+      if (!search_the_rest || most > most_passes) continue;
+      if (const std::optional<PassPlan> rest = search_passes(tube, cache_, 1, most)) {
+        advance(tube, *rest, begun);
+        return keep_cheaper(std::move(begun));
+      }
     }
-    if (!best || cost(begun) < cost(*best)) best = std::move(begun);
   }
 
  private:
@@ -117,16 +126,27 @@ class Planner {
   // shorter rest.
   static constexpr int patience = 2;
 
+  void keep_cheaper(TransferPlan plan) {
+    if (!best || cost(plan) < cost(*best)) best = std::move(plan);
+  }
+
   const Tube& tube_;
   PairWaysCache& cache_;
 };
 
-// None of the ways is always better: few stacks make fewer transfers, whole tubes often fewer
-// passes. Where whole tubes take many, few stacks at a time take no fewer, and long to plan.
+// Up to so many passes a search takes less time than a collapse, which would bound it.
+constexpr int few_passes = 4;
+
+// A search of the whole way finds the fewest passes, where it finds one in time. None of the ways
+// of stepping is always better: few stacks make fewer transfers, whole tubes often fewer passes.
+// Where whole tubes take many, few stacks at a time take no fewer, and long to plan.
 std::optional<TransferPlan> cheapest_plan(const Tube& tube, PairWaysCache& cache) {
   if (tube.arrived()) return TransferPlan{};
   Planner planner(tube, cache);
+  if (planner.search(1, few_passes)) return planner.best;
   planner.plan(Step::whole_tube, false);
+  const int most = planner.best ? count_passes(*planner.best) : most_passes;
+  if (most <= most_passes && planner.search(few_passes + 1, most)) return planner.best;
   planner.plan(Step::whole_tube, true);
   if (!planner.best || count_passes(*planner.best) <= most_passes)
     planner.plan(Step::few_stacks, true);

@@ -6,9 +6,14 @@
 namespace meshknit {
 namespace {
 
-constexpr int kLoops = 2;      // that roll at either end in a turn
-constexpr int kPasses = 7;     // where the tube may not move two places aside
-constexpr int kMostAside = 2;  // places
+constexpr int kLoops = 2;  // that roll at either end in a turn
+
+// How many places aside a turn may bring the tube, and in how many passes.
+struct Turn {
+  int passes;
+  std::vector<int> asides;
+};
+const Turn kTurns[] = {{6, {-2, 2}}, {7, {-1, 0, 1}}};
 
 // Rolls that are still to come, + anticlockwise; 0 if stacks go both ways.
 int rolls_one_way(const Tube& tube) {
@@ -58,20 +63,21 @@ int distance_aside(const Tube& a, const Tube& b) {
 std::optional<PassPlan> turn_by_two(const Tube& tube, PairWaysCache& cache) {
   const int rolls = rolls_one_way(tube);
   if (std::abs(rolls) <= 2 * kLoops) return std::nullopt;
-  std::optional<PassPlan> best;
-  int least = 0;
-  for (int aside = -kMostAside; aside <= kMostAside; ++aside) {
-    const Tube goal = turned(tube, rolls > 0 ? kLoops : -kLoops, aside);
-    if (!inside(goal)) continue;
-    const int most = best ? static_cast<int>(best->passes.size()) : kPasses;
-    std::optional<PassPlan> plan = search_passes(goal, cache, most);
-    if (!plan) continue;
-    const int distance = distance_aside(goal, tube);
-    if (best && plan->passes.size() == best->passes.size() && distance >= least) continue;
-    best = std::move(plan);
-    least = distance;
+  for (const Turn& turn : kTurns) {
+    std::optional<PassPlan> best;
+    int least = 0;
+    for (const int aside : turn.asides) {
+      const Tube goal = turned(tube, rolls > 0 ? kLoops : -kLoops, aside);
+      const int distance = distance_aside(goal, tube);
+      if (!inside(goal) || (best && distance >= least)) continue;
+      std::optional<PassPlan> plan = search_passes(goal, cache, 1, turn.passes);
+      if (!plan) continue;
+      best = std::move(plan);
+      least = distance;
+    }
+    if (best) return best;
   }
-  return best;
+  return std::nullopt;
 }
 
 }  // namespace meshknit
