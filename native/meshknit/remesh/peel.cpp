@@ -12,7 +12,7 @@ namespace {
 
 // Longest edge of the fine mesh, as a fraction of the smaller stitch dimension: rows bend no more
 // sharply than that.
-constexpr double fine_edge = 0.8;
+constexpr double fine_edge = 0.9;
 
 PeelState fine_state(const Surface& surface, const std::vector<double>& time, double edge,
                      std::vector<int>& source_face, RunContext* run) {
