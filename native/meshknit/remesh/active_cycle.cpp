@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <limits>
 
+#include "meshknit/surface/segment.h"
+
 namespace meshknit {
 namespace {
 
 double nearest_place(const Cycle& cycle, const Eigen::Vector3d& p) {
   double best = std::numeric_limits<double>::infinity(), place = 0.0;
   for (int i = 0; i < cycle.size(); ++i) {
-    const Eigen::Vector3d& a = cycle.points[i];
-    const Eigen::Vector3d ab = cycle.points[(i + 1) % cycle.size()] - a;
-    const double squared = ab.squaredNorm();
-    const double t = squared > 0.0 ? std::clamp((p - a).dot(ab) / squared, 0.0, 1.0) : 0.0;
-    const double distance = (a + t * ab - p).squaredNorm();
+    const Eigen::Vector3d &a = cycle.points[i], &b = cycle.points[(i + 1) % cycle.size()];
+    const double t = nearest_along(a, b, p);
+    const double distance = (a + t * (b - a) - p).squaredNorm();
     if (distance < best) {
       best = distance;
       place = cycle.arc_of({i, t});

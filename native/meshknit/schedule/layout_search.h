@@ -25,9 +25,9 @@ struct LayoutLimits {
 /// decrease, which brings it back. All layouts have ends that bear the rackings of other tubes
 /// (bed_layout.h), so alignment is wanted only where tubes part or meet.
 ///
-/// Exact among the ways that roll at most kMoreRolls stacks more than needed, and in each move at
-/// most kRollsAtOnce more than if the rolls were spread evenly over all moves (more only where no
-/// such way exists); equally good layouts are told apart by their numbers. The offset of each move
+/// Exact among the ways of which every move lies on some way that rolls at most kMoreRolls stacks more
+/// than needed, and rolls at most kRollsAtOnce more than if the rolls were spread evenly over all moves
+/// (more only where no such way exists); equally good layouts are told apart by their numbers. The offset of each move
 /// is free, and the places of the result are 0.
 ///
 /// Requires: slots >= 2; maps[i].stacks() is the size of layout i, maps[i].slots() >= 2 that of

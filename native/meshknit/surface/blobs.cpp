@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "meshknit/surface/segment.h"
+
 namespace meshknit {
 namespace {
 
@@ -14,14 +16,14 @@ constexpr double reach = 14.0;
 
 BlobDistance distance_to_piece(const LimbStop& a, const LimbStop& b, const Vector3d& point) {
   const Vector3d along = b.at - a.at, from_a = point - a.at;
-  const double squared = along.squaredNorm();
-  const double t = squared > 0.0 ? std::clamp(from_a.dot(along) / squared, 0.0, 1.0) : 0.0;
+  const double t = nearest_along(a.at, b.at, point);
   const Vector3d away = from_a - t * along;
   const double length = away.norm();
   BlobDistance result;
   result.value = length - (a.radius + t * (b.radius - a.radius));
   if (length > 0.0) result.gradient = away / length;
-  if (t > 0.0 && t < 1.0) result.gradient -= (b.radius - a.radius) / squared * along;
+  if (t > 0.0 && t < 1.0)
+    result.gradient -= (b.radius - a.radius) / along.squaredNorm() * along;
   return result;
 }
 

@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "meshknit/surface/segment.h"
+
 namespace meshknit {
 namespace {
 
@@ -34,10 +36,7 @@ double through_triangle(double d_a, double d_b, const Eigen::Vector3d& to_a,
 
 double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                            const Eigen::Vector3d& b) {
-  const Eigen::Vector3d ab = b - a;
-  const double squared = ab.squaredNorm();
-  const double t = squared > 0.0 ? std::clamp((p - a).dot(ab) / squared, 0.0, 1.0) : 0.0;
-  return (a + t * ab - p).norm();
+  return (a + nearest_along(a, b, p) * (b - a) - p).norm();
 }
 
 std::vector<double> edge_lengths(const TriangleMesh& mesh) {

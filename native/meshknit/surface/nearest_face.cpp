@@ -1,7 +1,8 @@
 #include "meshknit/surface/nearest_face.h"
 
-#include <algorithm>
 #include <limits>
+
+#include "meshknit/surface/segment.h"
 
 namespace meshknit {
 namespace {
@@ -9,10 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 Vector3d nearest_on_segment(const Vector3d& a, const Vector3d& b, const Vector3d& point) {
-  const Vector3d along = b - a;
-  const double squared = along.squaredNorm();
-  if (!(squared > 0.0)) return a;
-  return a + std::clamp((point - a).dot(along) / squared, 0.0, 1.0) * along;
+  return a + nearest_along(a, b, point) * (b - a);
 }
 
 }  // namespace

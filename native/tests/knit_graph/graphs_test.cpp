@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "knit_graph/knit_graph_text.h"
 #include "meshknit/knit_graph/knit_graph_checks.h"
-#include "meshknit/knit_graph/knit_graph_text.h"
 #include "meshknit/knit_graph/rows.h"
 
 namespace meshknit {

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
+#include "knit_graph/knit_graph_text.h"
 #include "meshknit/knit_graph/knit_graph_checks.h"
-#include "meshknit/knit_graph/knit_graph_text.h"
 #include "meshknit/remesh/remesh.h"
 #include "shapes.h"
 

@@ -7,9 +7,9 @@
 #include <numeric>
 #include <optional>
 
+#include "knit_graph/knit_graph_text.h"
 #include "meshknit/core/error.h"
 #include "meshknit/knit_graph/knit_graph_checks.h"
-#include "meshknit/knit_graph/knit_graph_text.h"
 #include "shapes.h"
 #include "surface/test_meshes.h"
 

@@ -1,4 +1,4 @@
-#include "meshknit/knit_graph/knit_graph_text.h"
+#include "knit_graph/knit_graph_text.h"
 
 #include <algorithm>
 #include <charconv>
