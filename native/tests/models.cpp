@@ -89,6 +89,13 @@ std::vector<std::string> model_names() {
   return names;
 }
 
+std::string why_no_models() {
+  return "Other people's meshes may not be copied into the project, and there are none at " +
+         model_path("") +
+         " (MESHKNIT_MODELS names their folder). The examples by name and random "
+         "surfaces are knit everywhere.";
+}
+
 std::string model_path(const std::string& file) {
   const char* const folder = std::getenv("MESHKNIT_MODELS");
   return (folder ? std::string(folder)

@@ -17,6 +17,9 @@ std::vector<std::string> model_names();
 /// named by the environment variable MESHKNIT_MODELS, or lies at shared/models beside the project.
 std::optional<ExampleShape> model(const std::string& name);
 
+/// What a test that is skipped without them says.
+std::string why_no_models();
+
 /// Where a file of that folder would be.
 std::string model_path(const std::string& file);
 

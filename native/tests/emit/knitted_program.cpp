@@ -12,14 +12,6 @@ const MachineProfile& shima() {
   return profile;
 }
 
-std::string errors_of(const Problems& problems) {
-  std::string text;
-  for (const Problem& problem : problems)
-    if (problem.severity == Severity::error)
-      text += problem.code + ": " + problem.message + "\n";
-  return text;
-}
-
 std::string errors_of_program(const StitchTrace& trace) {
   const Schedule schedule = schedule_stitches(trace, shima());
   const std::string wrong = errors_of(check_schedule(trace, schedule, shima()));

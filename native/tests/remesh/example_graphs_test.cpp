@@ -10,6 +10,7 @@
 #include "knit_graph/knit_graph_text.h"
 #include "meshknit/knit_graph/knit_graph_checks.h"
 #include "meshknit/remesh/remesh.h"
+#include "problem_text.h"
 #include "shapes.h"
 
 namespace meshknit {
@@ -42,14 +43,6 @@ class EveryExampleGraph : public testing::TestWithParam<Branching> {
 };
 INSTANTIATE_TEST_SUITE_P(ExampleGraphs, EveryExampleGraph, testing::ValuesIn(branchings),
                          [](const auto& shape) { return std::string(shape.param.name); });
-
-std::string errors_of(const Problems& problems) {
-  std::string text;
-  for (const Problem& problem : problems)
-    if (problem.severity == Severity::error)
-      text += problem.code + ": " + problem.message + "\n";
-  return text;
-}
 
 TEST(ExampleGraphs, AreThoseOfAllExamples) {
   std::vector<std::string> names;

@@ -19,7 +19,7 @@ INSTANTIATE_TEST_SUITE_P(ModelGraphs, EveryModel, testing::ValuesIn(model_names(
 
 TEST_P(EveryModel, CanBeKnit) {
   const std::optional<ExampleShape> drawn = model(GetParam());
-  if (!drawn) GTEST_SKIP() << "no models at " << model_path("");
+  if (!drawn) GTEST_SKIP() << why_no_models();
   const TimedShape shape = timed(opened(*drawn));
   const KnitGraph graph = remesh(shape.surface, shape.time);
   for (const Problem& problem : check_knit_graph(graph).problems)
@@ -45,8 +45,7 @@ TEST(ModelGraphs, WhatIsNoSurfaceIsRefusedWithItsReason) {
   for (const auto& [file, code] :
        {Refused{"moebius_nonorientable.obj", "not-orientable"},
         Refused{"hourglass_nonmanifold_vertex.obj", "nonmanifold-vertex"}}) {
-    if (!std::filesystem::exists(model_path(file)))
-      GTEST_SKIP() << "no models at " << model_path("");
+    if (!std::filesystem::exists(model_path(file))) GTEST_SKIP() << why_no_models();
     const MeshArrays arrays = read_mesh_file(model_path(file), 10.0);
     const Surface surface = make_surface(arrays.vertices, arrays.faces);
     EXPECT_TRUE(has_errors(surface.problems));

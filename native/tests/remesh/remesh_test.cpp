@@ -10,6 +10,7 @@
 #include "knit_graph/knit_graph_text.h"
 #include "meshknit/core/error.h"
 #include "meshknit/knit_graph/knit_graph_checks.h"
+#include "problem_text.h"
 #include "shapes.h"
 #include "surface/test_meshes.h"
 
@@ -36,14 +37,6 @@ Shaping shaping(const KnitGraph& graph) {
     return static_cast<int>(std::count(degree.begin(), degree.end(), 2));
   };
   return {twos(up), twos(down)};
-}
-
-std::string errors_of(const Problems& problems) {
-  std::string text;
-  for (const Problem& problem : problems)
-    if (problem.severity == Severity::error)
-      text += problem.code + ": " + problem.message + "\n";
-  return text;
 }
 
 class EveryShape : public testing::TestWithParam<std::string> {};
